@@ -67,7 +67,7 @@ proptest! {
     fn any_bytes_are_kept_and_every_place_lies_inside(bytes in proptest::collection::vec(any::<u8>(), 0..200)) {
         for dialect in DIALECTS {
             let program = read(dialect, &bytes);
-            prop_assert_eq!(&program.source, &bytes);
+            prop_assert_eq!(&*program.source, &bytes);
             check_places(&program);
         }
     }
@@ -79,7 +79,7 @@ proptest! {
         let bytes = words.concat().into_bytes();
         for dialect in DIALECTS {
             let program = read(dialect, &bytes);
-            prop_assert_eq!(&program.source, &bytes);
+            prop_assert_eq!(&*program.source, &bytes);
             check_places(&program);
         }
     }
@@ -124,7 +124,7 @@ fn mutations_of_a_program_never_panic_and_are_kept() {
         }
         for dialect in DIALECTS {
             let program = read(dialect, &bytes);
-            assert_eq!(program.source, bytes);
+            assert_eq!(*program.source, bytes);
             check_places(&program);
         }
     }

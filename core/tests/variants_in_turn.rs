@@ -61,7 +61,8 @@ fn what_is_written_the_new_variant_knows() {
             let view = form_of(cycle, &carried(before, after));
             let text = view.snippet.clone();
             let back =
-                read(ReadRequest { control: cycle.control, text, setup: None, with: None }, &mut |_| {}).unwrap();
+                read(ReadRequest { control: cycle.control, text: text.into(), setup: None, with: None }, &mut |_| {})
+                    .unwrap();
             let [call] = &back.calls[..] else { panic!("{} {}: {}", cycle.cycle, after.mvar, view.snippet) };
             for name in call.values.keys() {
                 let known = view.fields.iter().any(|field| field.name == name.as_str());
@@ -87,7 +88,7 @@ fn program_of(cycle: &CycleInfo, variant: &VariantInfo) -> String {
 const FOREIGN: &str = "G0 X100 ; _SETVAL=7\r\n\u{6d4b}\u{91cf} ~ ? §\nMSG(\"_FA=3\")";
 
 fn read_back(cycle: &CycleInfo, text: &str) -> Typed {
-    let asked = ReadRequest { control: cycle.control, text: text.to_owned(), setup: None, with: None };
+    let asked = ReadRequest { control: cycle.control, text: text.into(), setup: None, with: None };
     let back = read(asked, &mut |_| {}).unwrap();
     let [call] = &back.calls[..] else { panic!("{}: {text}", cycle.cycle) };
     call.values.clone()
@@ -137,8 +138,15 @@ fn a_call_that_becomes_another_variant_keeps_only_what_that_knows() {
 /// The text with a value of its call changed.
 fn revised(cycle: &CycleInfo, text: &str, name: &str, value: &str) -> (String, Changed) {
     let (text, name, value) = (text.to_owned(), name.to_owned(), value.to_owned());
-    let asked =
-        ChangeRequest { control: cycle.control, text: text.clone(), call: 0, name, value, setup: None, with: None };
+    let asked = ChangeRequest {
+        control: cycle.control,
+        text: text.clone().into(),
+        call: 0,
+        name,
+        value,
+        setup: None,
+        with: None,
+    };
     let done = change(asked).unwrap();
     (done.steps.iter().fold(text, |text, edits| edited(&text, edits)), done)
 }

@@ -5,6 +5,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { gzipSync } from "node:zlib";
 import { launch, open } from "./browser.mjs";
+import { large } from "./large.mjs";
 import { outside } from "./outside.mjs";
 import { searchTasks } from "./start.mjs";
 
@@ -486,6 +487,7 @@ try {
   await million(page);
   await context.close();
   await scanInPage(browser);
+  await large(browser, row, verdict);
   await outside(browser, row, verdict);
   await wire(browser);
 } finally {

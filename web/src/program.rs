@@ -154,6 +154,79 @@ impl Run {
     }
 }
 
+/// A program that lies in the module: questions about it come without its text, so that a long one comes once, in
+/// pieces, and after that what is edited.
+#[wasm_bindgen]
+pub struct Held(app::ProgramText);
+
+#[wasm_bindgen]
+impl Held {
+    /// An empty text with room for so many bytes.
+    #[wasm_bindgen(constructor)]
+    #[must_use]
+    pub fn new(bytes: u32) -> Held {
+        Held(app::ProgramText::with_room(bytes as usize))
+    }
+
+    /// Puts a piece behind it, in UTF-8.
+    pub fn push(&mut self, piece: &[u8]) {
+        self.0.push(piece);
+    }
+
+    /// Puts a text in the place of these UTF-16 units.
+    pub fn replace(&mut self, from: u32, to: u32, text: &str) {
+        self.0.replace(from as usize, to as usize, text);
+    }
+
+    /// The same text once more, which takes no room until one of them is edited.
+    #[must_use]
+    pub fn copy(&self) -> Held {
+        Held(self.0.clone())
+    }
+
+    /// [`read`] of this text.
+    ///
+    /// # Errors
+    /// A request of the wrong shape.
+    pub fn read(&self, request: &str) -> Result<String, JsError> {
+        let ask = |asked| app::read(app::ReadRequest { text: self.0.clone(), ..asked }, &mut |share| tell(share));
+        Ok(json::answer(request, ask)?)
+    }
+
+    /// [`change`] of this text.
+    ///
+    /// # Errors
+    /// A request of the wrong shape or a call that is not there.
+    pub fn change(&self, request: &str) -> Result<String, JsError> {
+        Ok(json::answer(request, |asked| app::change(app::ChangeRequest { text: self.0.clone(), ..asked }))?)
+    }
+
+    /// [`convert`] of this text.
+    ///
+    /// # Errors
+    /// A request of the wrong shape.
+    pub fn convert(&self, request: &str) -> Result<String, JsError> {
+        Ok(json::answer(request, |asked| app::convert(app::ConvertRequest { text: self.0.clone(), ..asked }))?)
+    }
+
+    /// [`cure`] of this text.
+    ///
+    /// # Errors
+    /// A request of the wrong shape.
+    pub fn cure(&self, request: &str) -> Result<String, JsError> {
+        Ok(json::answer(request, |asked| app::cure(app::CureRequest { text: self.0.clone(), ..asked }))?)
+    }
+
+    /// A run of this text before its first block.
+    ///
+    /// # Errors
+    /// A request or a setup of the wrong shape.
+    pub fn run(&self, request: &str) -> Result<Run, JsError> {
+        let asked: app::RunRequest = json::question(request)?;
+        Ok(Run(app::Run::new(app::RunRequest { text: self.0.clone(), ..asked })?))
+    }
+}
+
 /// Text of a setup file → `Setup` with everything in it that the file leaves to its default.
 ///
 /// # Errors

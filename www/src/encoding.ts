@@ -41,7 +41,8 @@ export function heldByte(code: number): string | null {
   return isHeld(code) ? (code - RAW).toString(16).toUpperCase().padStart(2, "0") : null;
 }
 
-const PIECE = 2 ** 20; // bytes between two looks at the clock
+/** Bytes between two looks at the clock. */
+export const PIECE = 2 ** 20;
 const CHUNK = 8192; // characters that one call makes
 const MARK = 0xfeff;
 const LOST = 0xfffd; // half of a character, which no encoding has
@@ -210,16 +211,28 @@ function wholePiece(bytes: Uint8Array, from: number, to: number): { text: string
   }
 }
 
-export async function decode(bytes: Uint8Array, encoding: Encoding, pace: Pace): Promise<string> {
+/** Bytes that come in pieces, as those of a file. */
+export interface Bytes {
+  length: number;
+  /** From a place on: all that are left, or some characters more than a piece. */
+  from(at: number): Promise<Uint8Array> | Uint8Array;
+}
+
+export const decode = (bytes: Uint8Array, encoding: Encoding, pace: Pace): Promise<string> =>
+  decodeFrom({ length: bytes.length, from: at => bytes.subarray(at) }, encoding, pace);
+
+export async function decodeFrom(all: Bytes, encoding: Encoding, pace: Pace): Promise<string> {
   const coder = coderOf(encoding);
   const parts: string[] = [];
-  let at = isMarked(encoding) && coder.read(bytes, 0).point === MARK ? coder.read(bytes, 0).length : 0;
-  while (at < bytes.length) {
-    const to = Math.min(at + PIECE, bytes.length);
-    const { text, next } = (coder === utf8 ? wholePiece(bytes, at, to) : null) ?? piece(coder, bytes, at, to);
+  for (let at = 0; at < all.length; ) {
+    const bytes = await all.from(at);
+    const marked = at === 0 && isMarked(encoding) && coder.read(bytes, 0).point === MARK;
+    const begin = marked ? coder.read(bytes, 0).length : 0;
+    const to = Math.min(begin + PIECE, bytes.length);
+    const { text, next } = (coder === utf8 ? wholePiece(bytes, begin, to) : null) ?? piece(coder, bytes, begin, to);
     parts.push(text);
-    at = next;
-    await pace.turn(at / bytes.length);
+    at += next;
+    await pace.turn(at / all.length);
   }
   return parts.join("");
 }

@@ -289,7 +289,7 @@ export type ChangeRequest = {
   /** Control. */
   control: Dialect,
   /** Text of the program. */
-  text: string,
+  text: ProgramText,
   /** Which of its calls, from 0. */
   call: number,
   /** Parameter. */
@@ -358,7 +358,7 @@ export type ConvertRequest = {
   /** Control. */
   control: Dialect,
   /** Text of the program. */
-  text: string,
+  text: ProgramText,
   /** Which of its calls, from 0; absent: all that can be written so. */
   call?: number,
   /** The call style. */
@@ -415,7 +415,7 @@ export type CureRequest = {
   /** Control. */
   control: Dialect,
   /** Text of the program. */
-  text: string,
+  text: ProgramText,
   /** Name of the findings. */
   code: string,
   /** Key of their cause. */
@@ -1601,6 +1601,9 @@ export type ProgramPlace = {
   parameters?: Array<ProgramParameter>,
 };
 
+/** Text of a program in UTF-8. Who asks several questions about a long one holds it, so that none brings it anew. */
+export type ProgramText = string;
+
 /** Where a cycle belongs. */
 export type Purpose = {
   /** Sort of machine. */
@@ -1644,7 +1647,7 @@ export type ReadRequest = {
   /** Control. */
   control: Dialect,
   /** Text of the program. */
-  text: string,
+  text: ProgramText,
   /** Machine on which it starts; absent: the core's own as it is. */
   setup?: Machine,
   /** Files beside it: its subprograms, definition files; absent: none. */
@@ -1799,7 +1802,7 @@ export type RunRequest = {
   /** Control. */
   control: Dialect,
   /** Text of the program. */
-  text: string,
+  text: ProgramText,
   /** Machine; absent: the core's own as it is. */
   setup?: Machine,
   /** Which program of the text is run, by its name; absent: the first. */

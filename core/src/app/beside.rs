@@ -1,10 +1,12 @@
 //! Files beside a program, as the control has them in one program memory: subprograms, definition files.
 
+use super::program_text::ProgramText;
 use crate::dialect::Dialect;
 use crate::syntax::joined::Joined;
 use crate::syntax::position::Positions;
 use crate::syntax::programs::is_definition;
 use serde::{Deserialize, Serialize};
+use std::sync::Arc;
 
 /// A file beside a program.
 #[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
@@ -36,8 +38,8 @@ pub(super) struct Whole {
 
 impl Whole {
     /// With all files.
-    pub fn new(dialect: Dialect, text: String, with: Option<Vec<Beside>>) -> Whole {
-        let mut whole = Whole { joined: Joined::new(dialect, text.into_bytes()), names: Vec::new() };
+    pub fn new(dialect: Dialect, text: ProgramText, with: Option<Vec<Beside>>) -> Whole {
+        let mut whole = Whole { joined: Joined::held(dialect, text.0), names: Vec::new() };
         for Beside { name, text } in with.unwrap_or_default() {
             whole.joined.add(&name, text.as_bytes());
             whole.names.push(name);
@@ -46,13 +48,13 @@ impl Whole {
     }
 
     /// With the definition files alone: what is written anew stands in the program itself.
-    pub fn defined(dialect: Dialect, text: String, with: Option<Vec<Beside>>) -> Whole {
+    pub fn defined(dialect: Dialect, text: ProgramText, with: Option<Vec<Beside>>) -> Whole {
         let with = with.map(|with| with.into_iter().filter(|one| is_definition(&one.name)).collect());
         Whole::new(dialect, text, with)
     }
 
     /// All of it.
-    pub fn text(&self) -> &[u8] {
+    pub fn text(&self) -> &Arc<Vec<u8>> {
         &self.joined.text
     }
 

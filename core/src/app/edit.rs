@@ -3,7 +3,7 @@
 use super::beside::{Beside, Whole};
 use super::finding::{Edit, Finding, edits, placed};
 use super::start::{Machine, start};
-use super::{Error, unknown};
+use super::{Error, ProgramText, unknown};
 use crate::dialect::Dialect;
 use crate::entry::Style;
 use crate::message::Message;
@@ -25,7 +25,7 @@ pub struct ChangeRequest {
     /// Control.
     pub control: Dialect,
     /// Text of the program.
-    pub text: String,
+    pub text: ProgramText,
     /// Which of its calls, from 0.
     pub call: usize,
     /// Parameter.
@@ -125,7 +125,7 @@ pub struct ConvertRequest {
     /// Control.
     pub control: Dialect,
     /// Text of the program.
-    pub text: String,
+    pub text: ProgramText,
     /// Which of its calls, from 0; absent: all that can be written so.
     pub call: Option<usize>,
     /// The call style.
@@ -157,7 +157,7 @@ pub struct CureRequest {
     /// Control.
     pub control: Dialect,
     /// Text of the program.
-    pub text: String,
+    pub text: ProgramText,
     /// Name of the findings.
     pub code: String,
     /// Key of their cause.
@@ -186,7 +186,7 @@ pub struct CuredAll {
 /// use probewright_core::app::{ChangeRequest, change};
 /// use probewright_core::dialect::Dialect;
 ///
-/// let text = "_MVAR=1 _SETVAL=132 ; bore\nCYCLE977\nM30\n".to_owned();
+/// let text = "_MVAR=1 _SETVAL=132 ; bore\nCYCLE977\nM30\n".into();
 /// let (name, value) = ("_SETVAL".to_owned(), "40".to_owned());
 /// let control = Dialect::Sinumerik;
 /// let done = change(ChangeRequest { control, text, call: 0, name, value, setup: None, with: None })?;
@@ -200,7 +200,7 @@ pub struct CuredAll {
 pub fn change(asked: ChangeRequest) -> Result<Changed, Error> {
     let whole = Whole::defined(asked.control, asked.text, asked.with);
     let control = start(asked.control, asked.setup)?.setup.control;
-    let mut program = syntax::read_on(asked.control, whole.text(), &control.definitions.macros);
+    let mut program = syntax::read_held(asked.control, whole.text(), &control.definitions.macros, &mut |_| {});
     let done = revise(&program, asked.call, &asked.name, &asked.value, &control);
     let done = done.ok_or_else(|| unknown("document-call", &asked.call.to_string()))?;
     let replaced = done.replaced.as_ref().map(|found| Replaced::placed(found, &Positions::new(&program.source)));
@@ -227,7 +227,7 @@ pub fn change(asked: ChangeRequest) -> Result<Changed, Error> {
 pub fn convert(asked: ConvertRequest) -> Result<Converted, Error> {
     let whole = Whole::defined(asked.control, asked.text, asked.with);
     let control = start(asked.control, asked.setup)?.setup.control;
-    let program = syntax::read_on(asked.control, whole.text(), &control.definitions.macros);
+    let program = syntax::read_held(asked.control, whole.text(), &control.definitions.macros, &mut |_| {});
     let done = match asked.call {
         Some(call) => converting::convert(&program, call, asked.style, &control),
         None => converting::convert_all(&program, asked.style, &control),
@@ -248,7 +248,7 @@ pub fn convert(asked: ConvertRequest) -> Result<Converted, Error> {
 pub fn cure(asked: CureRequest) -> Result<CuredAll, Error> {
     let whole = Whole::defined(asked.control, asked.text, asked.with);
     let control = start(asked.control, asked.setup)?.setup.control;
-    let program = syntax::read_on(asked.control, whole.text(), &control.definitions.macros);
+    let program = syntax::read_held(asked.control, whole.text(), &control.definitions.macros, &mut |_| {});
     let done = cure_all(&program, &asked.code, &asked.key, &control);
     let edits = edits(&done.edits, &Positions::new(&program.source));
     Ok(CuredAll { edits, gone: done.gone, left: done.left })

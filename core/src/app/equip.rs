@@ -1,10 +1,10 @@
 //! The machine that a user describes, as tables: shown, given what it lacks, and changed field by field.
 
-use super::Error;
 use super::beside::{Beside, Whole};
 use super::form::{FormRequest, form};
 use super::start::{Machine, Start, start};
 use super::supply::Supply;
+use super::{Error, ProgramText};
 use crate::dialect::Dialect;
 use crate::form::equipment::{CAPS, Row, SHAPES, Table, add, copy, drop_row, put_on, rows, set, shift};
 use crate::form::machine::Refusal;
@@ -27,7 +27,7 @@ pub struct EquipRequest {
     /// The program that it is for.
     #[serde(default)]
     #[cfg_attr(test, ts(optional, as = "Option<String>"))]
-    pub text: String,
+    pub text: ProgramText,
     /// Files beside it; absent: none.
     pub with: Option<Vec<Beside>>,
     /// The call whose part it gets.
@@ -177,7 +177,7 @@ fn changed(
 fn give(setup: &mut Setup, supply: &Supply, described: bool, asked: &EquipRequest) {
     let whole = Whole::new(asked.control, asked.text.clone(), asked.with.clone());
     let definitions = Arc::clone(&setup.control.definitions);
-    let program = || syntax::read_on(asked.control, whole.text(), &definitions.macros);
+    let program = || syntax::read_held(asked.control, whole.text(), &definitions.macros, &mut |_| {});
     match supply {
         Supply::Tool(new) => setup.give_tool(new),
         Supply::Tools => setup.give_all(&program(), false),

@@ -19,6 +19,7 @@ mod places;
 mod practice;
 mod predict;
 mod program;
+mod program_text;
 mod run;
 mod scan;
 mod start;
@@ -53,6 +54,7 @@ pub use practice::{
 };
 pub use predict::{ErrorLimit, ErrorSliders, PartSliders, ProbeSliders};
 pub use program::{Arrival, CallView, ProgramParameter, ProgramPlace, ReadRequest, ReadView, calls, read};
+pub use program_text::ProgramText;
 pub use run::{OfCall, Run, RunAlarm, RunAnswer, RunAssumed, RunDecision, RunRequest, RunResult, RunView};
 pub use scan::{Scan, ScanRequest, ScanView, SurfaceChoice, put_surface};
 pub use start::{Beginning, Machine, OwnMachine};

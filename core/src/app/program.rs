@@ -1,10 +1,10 @@
 //! The measuring calls of a program, and what is wrong with it.
 
-use super::Error;
 use super::beside::{Beside, FileStart, Whole};
 use super::finding::{Finding, placed};
 use super::places::{self, Places};
 use super::start::{Machine, start};
+use super::{Error, ProgramText};
 use crate::check::variants;
 use crate::control::{Control, Plane, Transverse, UnitFunction, delivery};
 use crate::dialect::Dialect;
@@ -26,7 +26,7 @@ pub struct ReadRequest {
     /// Control.
     pub control: Dialect,
     /// Text of the program.
-    pub text: String,
+    pub text: ProgramText,
     /// Machine on which it starts; absent: the core's own as it is.
     pub setup: Option<Machine>,
     /// Files beside it: its subprograms, definition files; absent: none.
@@ -148,7 +148,7 @@ const MOST_FINDINGS: usize = 10_000;
 /// use probewright_core::app::{ReadRequest, read};
 /// use probewright_core::dialect::Dialect;
 ///
-/// let text = "_MVAR=1 _SETVAL=132\nCYCLE977\nM30\n".to_owned();
+/// let text = "_MVAR=1 _SETVAL=132\nCYCLE977\nM30\n".into();
 /// let view = read(ReadRequest { control: Dialect::Sinumerik, text, setup: None, with: None }, &mut |_| {})?;
 /// let [call] = &view.calls[..] else { unreachable!() };
 /// assert_eq!((call.cycle, call.line, call.values["_SETVAL"].as_str()), ("CYCLE977", 1, "132"));
@@ -162,13 +162,13 @@ pub fn read(asked: ReadRequest, told: &mut dyn FnMut(f64)) -> Result<ReadView, E
     let whole = Whole::new(asked.control, asked.text, asked.with);
     let control = start(asked.control, asked.setup)?.setup.control;
     let macros = &control.definitions.macros;
-    let program = syntax::read_told(asked.control, whole.text(), macros, &mut |share| told(share * text));
+    let program = syntax::read_held(asked.control, whole.text(), macros, &mut |share| told(share * text));
     Ok(view(&program, &whole, control, &mut |share| told(text + share * (calls - text))))
 }
 
 /// The measuring calls of a program on a metric control as delivered.
 pub fn calls(program: &Program) -> ReadView {
-    let whole = Whole::new(program.dialect, String::new(), None);
+    let whole = Whole::new(program.dialect, ProgramText::default(), None);
     view(program, &whole, delivery(program.dialect), &mut |_| {})
 }
 

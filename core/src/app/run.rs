@@ -1,6 +1,5 @@
 //! A program carried out.
 
-use super::Error;
 use super::answer::{Answer, answer};
 use super::beside::{Beside, FileStart, Whole};
 use super::changes::{Change, changes};
@@ -9,6 +8,7 @@ use super::outcome::{Raised, alarms};
 use super::start::{Machine, start};
 use super::supply::{Needs, curable, lacking};
 use super::written::{WrittenFile, written};
+use super::{Error, ProgramText};
 use crate::control::Value;
 use crate::dialect::Dialect;
 use crate::entry::unit_name;
@@ -26,6 +26,7 @@ use crate::syntax;
 use crate::syntax::position::Positions;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 
 /// What is run.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
@@ -34,7 +35,7 @@ pub struct RunRequest {
     /// Control.
     pub control: Dialect,
     /// Text of the program.
-    pub text: String,
+    pub text: ProgramText,
     /// Machine; absent: the core's own as it is.
     pub setup: Option<Machine>,
     /// Which program of the text is run, by its name; absent: the first.
@@ -185,7 +186,7 @@ impl OfCall {
 /// use probewright_core::app::{Run, RunRequest};
 /// use probewright_core::dialect::Dialect;
 ///
-/// let text = "R1=20*2\nG0 X=R1\nM30\n".to_owned();
+/// let text = "R1=20*2\nG0 X=R1\nM30\n".into();
 /// let control = Dialect::Sinumerik;
 /// let (program, arguments, strict, blocks) = (None, None, None, None);
 /// let asked = RunRequest { control, text, setup: None, program, arguments, strict, blocks, with: None };
@@ -210,7 +211,7 @@ impl Run {
     pub fn new(asked: RunRequest) -> Result<Run, Error> {
         let setup = start(asked.control, asked.setup)?.setup;
         let whole = Whole::new(asked.control, asked.text, asked.with);
-        let program = syntax::read_to_run(asked.control, whole.text(), &setup.control.definitions.macros);
+        let program = syntax::read_held(asked.control, whole.text(), &setup.control.definitions.macros, &mut |_| {});
         let steps = asked.blocks.map(u64::from);
         let limits = Limits { steps, strict: asked.strict.unwrap_or_default(), ..Limits::default() };
         let given = asked.arguments.unwrap_or_default().into_iter();
@@ -240,7 +241,7 @@ impl Run {
 
     /// What it did so far.
     pub fn view(self) -> RunView {
-        let source = self.whole.text();
+        let source: &Arc<Vec<u8>> = self.whole.text();
         let files = self.whole.files(&Positions::new(source));
         let outcome = self.session.outcome();
         let ending = outcome.ending(|line| Whole::line(&files, line));
@@ -272,7 +273,7 @@ impl RunView {
     }
 
     /// With what the machine lacks for the program of this text.
-    fn with_offers(mut self, source: &[u8]) -> RunView {
+    fn with_offers(mut self, source: &Arc<Vec<u8>>) -> RunView {
         let Source { setup, outcome, .. } = &self.trace;
         let fault =
             outcome.stop.iter().filter_map(|stop| if let Stop::Fault(message) = stop { Some(message) } else { None });
@@ -281,8 +282,8 @@ impl RunView {
         if !codes.iter().any(|code| curable(*code)) && !problems.iter().any(|problem| lacking(problem)) {
             return self;
         }
-        let needs =
-            Needs::of(&syntax::read_on(setup.control.dialect, source, &setup.control.definitions.macros), setup);
+        let macros = &setup.control.definitions.macros;
+        let needs = Needs::of(&syntax::read_held(setup.control.dialect, source, macros, &mut |_| {}), setup);
         let offers: Vec<_> = problems.iter().map(|problem| needs.offers(problem)).collect();
         for (finding, offers) in self.diagnostics.iter_mut().zip(&offers) {
             finding.offers.clone_from(offers);

@@ -11,7 +11,7 @@ use crate::name::Name;
 use crate::own;
 use crate::syntax::fold::names_in;
 use crate::syntax::programs::programs;
-use crate::syntax::{Program, Word, WordKind, read};
+use crate::syntax::{Block, Program, Word, WordKind, read};
 use std::collections::BTreeSet;
 
 /// Why the call cannot be written in another way without losing an expression among its own arguments; none: it can.
@@ -104,7 +104,8 @@ fn straight(program: &Program, place: Span, site: &CallSite, reads: &Reads) -> b
     }
     let line = |at: u32| program.line_of(at) as usize;
     let lines = program.blocks.get(line(place.end)..=line(site.span.start));
-    if lines.into_iter().flatten().any(|block| block.skip.is_some()) {
+    let parts = |block: &Block| block.skip.is_some() || block.plain && !reads.plain;
+    if lines.into_iter().flatten().any(parts) {
         return false;
     }
     let first = program.words.partition_point(|word| word.span.end <= place.end);

@@ -29,46 +29,51 @@ pub fn read(dialect: Dialect, source: &[u8]) -> Program {
 
 /// Reads a program on a machine that has these macros.
 pub fn read_on(dialect: Dialect, source: &[u8], macros: &Arc<Macros>) -> Program {
-    read_told(dialect, source, macros, &mut |_| {})
+    read_all(dialect, &Arc::new(source.to_vec()), macros, false, &mut |_| {})
 }
 
 impl Program {
-    /// Another text, read as this one was.
+    /// Another text on the same machine, plain motions left as text.
     pub fn again(&self, text: &[u8]) -> Program {
-        read_on(self.dialect, text, &self.macros)
+        read_lean(self.dialect, text, &self.macros)
     }
 }
 
-/// Reads a program on a machine with macros, telling from time to time which share of the text is read.
-pub fn read_told(dialect: Dialect, source: &[u8], macros: &Arc<Macros>, told: &mut dyn FnMut(f64)) -> Program {
-    read_all(dialect, source, macros, false, told)
+/// Reads a program whose calls are looked for, or that is run: plain motions stay text, see [`Program::plain`].
+pub fn read_lean(dialect: Dialect, source: &[u8], macros: &Arc<Macros>) -> Program {
+    read_held(dialect, &Arc::new(source.to_vec()), macros, &mut |_| {})
 }
 
-/// Reads a program that is only to be run: plain motions stay text, see [`Program::plain`].
-pub fn read_to_run(dialect: Dialect, source: &[u8], macros: &Arc<Macros>) -> Program {
-    read_all(dialect, source, macros, true, &mut |_| {})
+/// The same of a text that somebody else holds too, telling from time to time which share of it is read.
+pub fn read_held(dialect: Dialect, source: &Arc<Vec<u8>>, macros: &Arc<Macros>, told: &mut dyn FnMut(f64)) -> Program {
+    read_all(dialect, source, macros, true, told)
 }
 
-fn read_all(dialect: Dialect, source: &[u8], macros: &Arc<Macros>, to_run: bool, told: &mut dyn FnMut(f64)) -> Program {
-    let (first, own) = read_with(dialect, source, macros, to_run, told);
+fn read_all(
+    dialect: Dialect,
+    source: &Arc<Vec<u8>>,
+    macros: &Arc<Macros>,
+    lean: bool,
+    told: &mut dyn FnMut(f64),
+) -> Program {
+    let (first, own) = read_with(dialect, source, macros, lean, told);
     // definition files of the text count in the whole of it
-    let tree = own.map_or(first, |all| read_with(dialect, source, &all, to_run, told).0);
+    let tree = own.map_or(first, |all| read_with(dialect, source, &all, lean, told).0);
     Program { macros: Arc::clone(macros), ..tree }
 }
 
 /// Reads a program, with all macros that count everywhere where some were found behind lines that may use them.
 fn read_with(
     dialect: Dialect,
-    source: &[u8],
+    source: &Arc<Vec<u8>>,
     macros: &Arc<Macros>,
-    to_run: bool,
+    lean: bool,
     told: &mut dyn FnMut(f64),
 ) -> (Program, Option<Arc<Macros>>) {
     let whole = source.get(..LARGEST as usize).unwrap_or(source);
     let readable = before_end(whole);
-    let mut reader = Reader::new(dialect, readable, source);
+    let mut reader = Reader::new(dialect, readable, source, lean);
     reader.macros.everywhere = Arc::clone(macros);
-    reader.to_run = to_run;
     while reader.at < readable.len() || reader.tree.blocks.is_empty() {
         let start = reader.at;
         let length = reader.source.get(start..).unwrap_or_default().iter().position(|byte| *byte == b'\n');
@@ -146,7 +151,7 @@ fn line(reader: &mut Reader) {
 
 /// Whether the rest of a line is left as text. A macro could stand for a part of it, and the first line have a mark.
 fn is_plain(reader: &Reader) -> bool {
-    let alone = reader.to_run && reader.macros.concerns_nothing() && !reader.tree.blocks.is_empty();
+    let alone = reader.lean && reader.macros.concerns_nothing() && !reader.tree.blocks.is_empty();
     alone && Plain::of(reader.rest(), 0).is_some()
 }
 

@@ -2,13 +2,14 @@
 
 use super::block::before_end;
 use crate::dialect::Dialect;
+use std::sync::Arc;
 
 const MARK: &[u8] = b"\xef\xbb\xbf";
 
 /// A program with the files behind it.
 pub struct Joined {
     /// All of it.
-    pub text: Vec<u8>,
+    pub text: Arc<Vec<u8>>,
     /// Language of the program.
     pub dialect: Dialect,
     /// Where each file begins in the text, bytes, the program first; its header counts only where the file has one.
@@ -18,25 +19,31 @@ pub struct Joined {
 impl Joined {
     /// A program alone.
     pub fn new(dialect: Dialect, source: Vec<u8>) -> Joined {
-        Joined { text: source, dialect, starts: vec![0] }
+        Joined::held(dialect, Arc::new(source))
+    }
+
+    /// A program alone that somebody else holds too.
+    pub fn held(dialect: Dialect, text: Arc<Vec<u8>>) -> Joined {
+        Joined { text, dialect, starts: vec![0] }
     }
 
     /// Puts a file behind them. One without a header gets one with its name.
     pub fn add(&mut self, name: &str, source: &[u8]) {
         // nothing counts behind an end of file, and what follows is in a line of its own
+        let text = Arc::make_mut(&mut self.text);
         let last = self.starts.last().copied().unwrap_or(0);
-        let end = before_end(self.text.get(last..).unwrap_or_default()).len();
-        self.text.truncate(last + end);
-        self.text.push(b'\n');
+        let end = before_end(text.get(last..).unwrap_or_default()).len();
+        text.truncate(last + end);
+        text.push(b'\n');
         // inside the text a mark of UTF-8 would be a character; blanks in its place leave every place as it was
         let marked = source.strip_prefix(MARK);
         let (blanks, source) = marked.map_or((&b""[..], source), |source| (&b"   "[..], source));
         if self.dialect == Dialect::Sinumerik && !source.trim_ascii_start().starts_with(b"%") {
-            self.text.extend(header(name).into_bytes());
+            text.extend(header(name).into_bytes());
         }
-        self.starts.push(self.text.len());
-        self.text.extend(blanks);
-        self.text.extend(source);
+        self.starts.push(text.len());
+        text.extend(blanks);
+        text.extend(source);
     }
 }
 

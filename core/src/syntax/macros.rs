@@ -181,7 +181,7 @@ pub(super) fn read(reader: &mut Reader) -> Option<Option<Span>> {
             return None;
         }
     };
-    let mut inner = Reader::new(reader.tree.dialect, &line.text, &[]);
+    let mut inner = Reader::new(reader.tree.dialect, &line.text, &Arc::default(), false);
     inner.end = line.text.len();
     let comment = block::words(&mut inner);
     let tree = inner.tree;
@@ -339,7 +339,7 @@ mod tests {
             program.blocks.get(3).and_then(|block| block.comment).map(|span| program.written(span)).as_deref(),
             Some("; GO")
         );
-        assert_eq!(program.source, text.as_bytes());
+        assert_eq!(*program.source, text.as_bytes());
     }
 
     // oracle: hand (a definition file of the text counts in all of it, another one only in its program)

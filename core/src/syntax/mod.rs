@@ -26,7 +26,7 @@ mod sinumerik_expression;
 pub mod tree;
 
 pub(crate) use block::BETWEEN;
-pub use block::{LARGEST, is_value, is_value_of, read, read_on, read_to_run, read_told};
+pub use block::{LARGEST, is_value, is_value_of, read, read_held, read_lean, read_on};
 pub(crate) use grammar::Grammar;
 pub use plain::Plain;
 pub use reader::DEPTH;

@@ -1,6 +1,6 @@
 //! Blocks that are a motion and nothing else: `N10 G1 X10 Y-5.5 F1200`, `G2 X10 Y5 I5 J0`. Most blocks of a large
-//! program are such. One that is read to be run keeps them as text: the run reads them when it comes to them, so that
-//! they take neither room nor a second look.
+//! program are such. One whose calls are looked for, or that is run, keeps them as text: the run reads them when it
+//! comes to them, so that they take neither room nor a second look.
 
 use super::bytes::is_blank;
 use super::number;
@@ -82,7 +82,7 @@ mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
     use crate::dialect::Dialect;
-    use crate::syntax::{read, read_to_run};
+    use crate::syntax::{read, read_lean};
 
     // oracle: hand
     #[test]
@@ -126,8 +126,7 @@ mod tests {
     fn a_block_left_as_text_says_what_its_words_say() {
         let text = "X0\nN10 G1 X1 Y-2.50 Z+.5 F1200\nG3 x-0 I5\n /X1\nX2 ; no\nN5\nG0X1Y2\r\n:7 X1\nX1\rY2\n";
         for dialect in [Dialect::Sinumerik, Dialect::Nct] {
-            let (all, run) =
-                (read(dialect, text.as_bytes()), read_to_run(dialect, text.as_bytes(), &Default::default()));
+            let (all, run) = (read(dialect, text.as_bytes()), read_lean(dialect, text.as_bytes(), &Default::default()));
             assert_eq!((all.blocks.len(), &all.errors), (run.blocks.len(), &run.errors));
             let left = run.blocks.iter().filter(|block| block.plain).count();
             assert_eq!(left, if dialect == Dialect::Nct { 4 } else { 5 }, "{dialect:?}");

@@ -58,12 +58,14 @@ pub(super) struct Reader<'a> {
     /// Macros that count here.
     pub macros: Known,
     /// Whether plain motions are left as text.
-    pub to_run: bool,
+    pub lean: bool,
 }
 
 impl<'a> Reader<'a> {
-    /// Reads `source`, the beginning of the whole text.
-    pub fn new(dialect: Dialect, source: &'a [u8], whole: &[u8]) -> Self {
+    /// Reads `source`, the beginning of the whole text; `lean`: plain motions are left as text, so that few words come.
+    pub fn new(dialect: Dialect, source: &'a [u8], whole: &Arc<Vec<u8>>, lean: bool) -> Self {
+        let lines = source.iter().filter(|byte| **byte == b'\n').count() + 1;
+        let words = if lean { 0 } else { source.len() / 8 };
         Self {
             grammar: Grammar::of(dialect),
             source,
@@ -74,11 +76,11 @@ impl<'a> Reader<'a> {
             first: 0,
             tree: Program {
                 dialect,
-                source: whole.to_vec(),
+                source: Arc::clone(whole),
                 end: source.len() as u32,
-                blocks: Vec::with_capacity(source.len() / 32),
-                words: Vec::with_capacity(source.len() / 8),
-                exprs: Vec::with_capacity(source.len() / 8),
+                blocks: Vec::with_capacity(lines),
+                words: Vec::with_capacity(words),
+                exprs: Vec::with_capacity(words),
                 places: Vec::new(),
                 errors: Vec::new(),
                 replaced: Replaced::default(),
@@ -86,7 +88,7 @@ impl<'a> Reader<'a> {
             },
             list: Vec::new(),
             macros: Known::default(),
-            to_run: false,
+            lean,
         }
     }
 

@@ -19,7 +19,7 @@ pub struct Program {
     /// Language.
     pub dialect: Dialect,
     /// The bytes as given.
-    pub source: Vec<u8>,
+    pub source: Arc<Vec<u8>>,
     /// End of what is read of them: all, but for what stands behind an end of file (Ctrl-Z).
     pub end: u32,
     /// One a line, in order, empty lines included; their spans (line end excluded) never overlap.

@@ -5,12 +5,12 @@ use probewright_core::dialect::Dialect;
 use probewright_core::machine::Setup;
 use probewright_core::run::pieces::Piece;
 use probewright_core::run::{Limits, Outcome, Session, assumed, run};
-use probewright_core::syntax::{read, read_to_run};
+use probewright_core::syntax::{read, read_lean};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// The part programs of a folder.
-fn programs(folder: &str) -> Vec<PathBuf> {
+pub fn programs(folder: &str) -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests").join(folder);
     let files = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
     files.filter(|path| path.extension().is_some_and(|ending| ending != "txt")).collect()
@@ -46,7 +46,7 @@ const MOTIONS: [&str; 14] = [
 fn a_block_that_is_read_when_it_comes_does_what_its_words_do() {
     let on = |setup: &Setup, text: &str, dialect| {
         let macros = Arc::default();
-        let runs = [read(dialect, text.as_bytes()), read_to_run(dialect, text.as_bytes(), &macros)];
+        let runs = [read(dialect, text.as_bytes()), read_lean(dialect, text.as_bytes(), &macros)];
         runs.map(|program| run(&program, setup, Limits::default()))
     };
     for text in MOTIONS {
@@ -69,7 +69,7 @@ fn a_run_of_any_program_is_the_same_with_blocks_left_as_text() {
         let dialect = Dialect::of(&source);
         let limits = Limits::unwatched(1000);
         let all = assumed::run(&read(dialect, &source), limits);
-        let straight = assumed::run(&read_to_run(dialect, &source, &Arc::default()), limits);
+        let straight = assumed::run(&read_lean(dialect, &source, &Arc::default()), limits);
         assert_eq!(all.told, straight.told, "{path:?}");
         assert_eq!(all.setup, straight.setup, "{path:?}");
         assert_same(&all.outcome, &straight.outcome, &path.display().to_string());
@@ -79,7 +79,7 @@ fn a_run_of_any_program_is_the_same_with_blocks_left_as_text() {
 /// Runs a text in pieces of so many lines.
 fn in_pieces(setup: &Setup, text: &str, lines: usize) -> Outcome {
     let all: Vec<&str> = text.split_inclusive('\n').collect();
-    let read = |piece: &[&str]| read_to_run(Dialect::Sinumerik, piece.concat().as_bytes(), &Arc::default());
+    let read = |piece: &[&str]| read_lean(Dialect::Sinumerik, piece.concat().as_bytes(), &Arc::default());
     let mut pieces = all.chunks(lines).map(read).collect::<Vec<_>>().into_iter();
     let first = pieces.next().unwrap();
     assert!(first.begins_pieces(), "{text}");

@@ -5,6 +5,7 @@ mod corners;
 mod flow;
 mod frames;
 mod large;
+mod lean;
 mod measuring;
 mod motion;
 mod nct;

@@ -106,7 +106,7 @@ fn what_the_machine_holds_counts_where_nothing_assigns_it() {
     assert_eq!((field.value.as_str(), field.expression.as_deref()), ("80", Some("2*R2")));
     assert!(view.snippet.contains("_SETVAL=2*R2"), "{}", view.snippet);
     let text = "R3=30\n_MVAR=1 _SETVAL=R2+R3 _PRNUM=1 _FA=R9\nCYCLE977\n".to_owned();
-    let asked = ReadRequest { control: Dialect::Sinumerik, text, setup: Some(setup()), with: None };
+    let asked = ReadRequest { control: Dialect::Sinumerik, text: text.into(), setup: Some(setup()), with: None };
     let read = probewright_core::app::read(asked, &mut |_| {}).unwrap();
     assert_eq!(read.calls[0].values["_SETVAL"], "70");
     let said: Vec<_> = read.calls[0].arrivals.iter().map(|one| one.message.key.to_string()).collect();
@@ -144,8 +144,16 @@ fn a_change_tells_which_expression_it_takes_away() {
     let text = "R2=50\n_MVAR=1 _SETVAL=R2 _PRNUM=1 _FA=2\nCYCLE977\nX=R2\n";
     let ask = |value: &str| {
         let (text, name, value) = (text.to_owned(), "_SETVAL".to_owned(), value.to_owned());
-        change(ChangeRequest { control: Dialect::Sinumerik, text, call: 0, name, value, setup: None, with: None })
-            .unwrap()
+        change(ChangeRequest {
+            control: Dialect::Sinumerik,
+            text: text.into(),
+            call: 0,
+            name,
+            value,
+            setup: None,
+            with: None,
+        })
+        .unwrap()
     };
     let replaced = ask("51").replaced.unwrap();
     assert_eq!((replaced.text.as_str(), replaced.worth.as_deref()), ("R2", Some("50")));

@@ -1,10 +1,11 @@
 // Long work beside the page, in a worker: one question at a time, of those that wait only the newest. An answer lies
 // ready until the next redraw takes it, so that nothing changes between two redraws.
 
+import { createHanded, type Handed } from "./handed";
 import type { Question, Way } from "./program";
 import type { SceneData } from "./scene";
 import type { Columns } from "./steps";
-import type { Reply, Wait } from "./worker";
+import type { Asked, Reply, Wait } from "./worker";
 
 export interface Answered {
   question: Question;
@@ -51,6 +52,7 @@ function same(a: Question | null | undefined, b: Question): boolean {
  */
 export function createAside(module: () => WebAssembly.Module | undefined, ready: () => void): Aside {
   let worker: Worker | null = null;
+  let handed: Handed | null = null; // of this worker
   let running: Busy | null = null;
   let waiting: Question | null = null;
   let done: Answered | null = null;
@@ -84,14 +86,21 @@ export function createAside(module: () => WebAssembly.Module | undefined, ready:
     made.onmessage = ({ data }: MessageEvent<Reply>) => hear(data);
     made.onerror = event => finish({ problem: event.message });
     made.postMessage(compiled);
+    handed = createHanded((told, transfer) => made.postMessage(told, transfer));
     return made;
+  };
+  /** Long texts come before the question, which is about them then. */
+  const hand = async (to: Worker, question: Question): Promise<void> => {
+    const text = await handed?.hand(question.text, () => worker !== to);
+    if (text != null && worker === to) to.postMessage({ question: { ...question, text }, held: true } satisfies Asked);
   };
   const ask = (question: Question): void => {
     const compiled = module();
     if (!compiled) return;
     worker ??= start(compiled);
     running = { question, since: performance.now() };
-    worker.postMessage(question);
+    if (handed?.takes(question.text)) void hand(worker, question);
+    else worker.postMessage({ question, held: false } satisfies Asked);
   };
   const stop = (): void => {
     if (running) drop();

@@ -3,7 +3,7 @@
 
 import init, * as wasm from "@pkg/program/program.js";
 import address from "@pkg/program/program_bg.wasm?url";
-import { splice } from "../eol";
+import type { Splice } from "../eol";
 import type {
   AlarmInfo,
   Catalogue,
@@ -88,26 +88,47 @@ export interface ProgramCore extends FormCore {
   setup(text: string): Setup | { why: string };
 }
 
+/** A text in the module, so that questions about a long program come without it. */
+export type Held = wasm.Held;
+
+/** An empty one with room for so many bytes. */
+export const hold = (bytes: number): Held => new wasm.Held(bytes);
+
+/** Edits that do not overlap, offsets before all of them. */
+export function edit(text: Held, edits: readonly Splice[]): void {
+  const last = [...edits].sort((a, b) => b.from - a.from || b.to - a.to);
+  for (const { from, to, insert } of last) text.replace(from, to, insert);
+}
+
+/** Text of a question that is asked about a text in the module. */
+const HELD = "";
+
 /** One answer a value, each for the text after the ones before it, but for what would replace an expression. */
-function changes({ control, text, setup, with: beside, call: index, at, pending }: ChangeRequest): Changed[] {
-  let now = text;
-  return asked(pending, { control, text, at }).map(one => {
+function changes(
+  { control, text, setup, with: beside, call: index, at, pending }: ChangeRequest,
+  held: Held | null,
+): Changed[] {
+  const now = held ? held.copy() : hold(text.length);
+  if (!held) now.push(new TextEncoder().encode(text));
+  const answers = asked(pending, { control, text, at }).map(one => {
     const { name, value } = one;
-    const asked = { control, text: now, call: index, name, value, setup, with: beside };
-    const changed = JSON.parse(call("change", () => wasm.change(JSON.stringify(asked)))) as Changed;
-    if (!hasToReplace(one, changed)) now = changed.steps.reduce(splice, now);
+    const asked = { control, text: HELD, call: index, name, value, setup, with: beside };
+    const changed = JSON.parse(call("change", () => now.change(JSON.stringify(asked)))) as Changed;
+    if (!hasToReplace(one, changed)) for (const step of changed.steps) edit(now, step);
     return changed;
   });
+  now.free();
+  return answers;
 }
 
 /** A question that is answered at once; a run is answered in pieces. */
 export type AtOnce = Exclude<Question, { ask: "run" }>;
 
-/** The answer as JSON text, so that a worker can hand it over as it is. */
-export function answer(question: AtOnce): string {
+/** The answer as JSON text, so that a worker can hand it over as it is; about the text in the module, if one is. */
+export function answer(question: AtOnce, held: Held | null = null): string {
   const { ask, ...request } = question;
-  if (ask === "change") return JSON.stringify(changes(question as ChangeRequest));
-  return call(ask, () => wasm[ask](JSON.stringify(request)));
+  if (ask === "change") return JSON.stringify(changes(question as ChangeRequest, held));
+  return call(ask, () => (held ?? wasm)[ask](JSON.stringify(request)));
 }
 
 /** A form, and its scene once that is asked for: nobody does where the view is out of sight. */
@@ -158,11 +179,11 @@ const FIRST_SEEN = 400; // ms of a run until its motions are shown
 const THEN = 4; // times as long until they are shown again, so that it takes the run no more than a part of its time
 
 /** Runs a program. Before each slice `between` is told how far it is, and the run waits for it. */
-async function runOf(asked: string, between: Between): Promise<NonNullable<typeof ran>> {
+async function runOf(asked: string, held: Held | null, between: Between): Promise<NonNullable<typeof ran>> {
   if (ran?.asked === asked) return ran;
   ran?.answer.free();
   ran = null;
-  const run = new wasm.Run(asked);
+  const run = held ? held.run(asked) : new wasm.Run(asked);
   let worked = 0; // ms
   let next = FIRST_SEEN;
   for (let over = false; !over; ) {
@@ -187,9 +208,10 @@ function motionsIn(run: wasm.Run): SceneData | undefined {
 /** What a run came to, as JSON text and its steps (neither where that is known), and its scene. */
 export async function runInPieces(
   { ask: _, times, known, ...request }: RunQuestion & { ask: "run" },
+  held: Held | null,
   between: Between,
 ): Promise<{ json: string; scene: SceneData; steps?: Columns }> {
-  const { answer, json } = await runOf(JSON.stringify(request), between);
+  const { answer, json } = await runOf(JSON.stringify(request), held, between);
   const scene = sceneIn(answer, times);
   if (known) return { json: "", scene };
   const steps = answer.steps();
@@ -217,7 +239,7 @@ export async function loadProgramCore(): Promise<ProgramCore> {
     simulates: "yes",
     practise: practised,
     setup: setupOf,
-    change: changes,
+    change: request => changes(request, null),
     recogniser,
     form: formed,
     read: request => JSON.parse(answer({ ask: "read", ...request })) as ReadView,

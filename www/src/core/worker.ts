@@ -2,13 +2,19 @@
 // much of a long program is done. A run goes in pieces, so that it hears between them that it should wait.
 
 import { initSync } from "@pkg/program/program.js";
-import { answer, type Question, runInPieces, type Way } from "./program";
+import type { Told } from "./handed";
+import { answer, edit, type Held, hold, type Question, runInPieces, type Way } from "./program";
 import { buffersOf, type SceneData } from "./scene";
 import type { Columns } from "./steps";
 
 export type Reply = { json: string; scene?: SceneData; steps?: Columns } | { problem: string } | Way;
 export interface Wait {
   wait: boolean;
+}
+/** `held`: about the text that was told before. */
+export interface Asked {
+  question: Question;
+  held: boolean;
 }
 
 const tell = (reply: Reply): void => postMessage(reply, { transfer: handed(reply) });
@@ -37,18 +43,30 @@ async function between(way: Way): Promise<void> {
     });
 }
 
-async function reply(question: Question): Promise<Reply> {
+let text: Held | null = null;
+
+function take(told: Told): void {
+  if ("begin" in told) {
+    text?.free();
+    text = hold(told.begin);
+  } else if ("piece" in told) text?.push(told.piece);
+  else if (text) edit(text, [told.edit]);
+}
+
+async function reply({ question, held }: Asked): Promise<Reply> {
+  const about = held ? text : null;
   try {
-    return question.ask === "run" ? await runInPieces(question, between) : { json: answer(question) };
+    return question.ask === "run" ? await runInPieces(question, about, between) : { json: answer(question, about) };
   } catch (problem) {
     return { problem: problem instanceof Error ? problem.message : String(problem) };
   }
 }
 
-addEventListener("message", ({ data }: MessageEvent<WebAssembly.Module | Question | Wait>) => {
+addEventListener("message", ({ data }: MessageEvent<WebAssembly.Module | Asked | Told | Wait>) => {
   if (data instanceof WebAssembly.Module) initSync({ module: data });
   else if ("wait" in data) {
     waiting = data.wait;
     goOn();
-  } else void reply(data).then(tell);
+  } else if ("question" in data) void reply(data).then(tell);
+  else take(data);
 });

@@ -3,7 +3,7 @@
 import type { Derived } from "../desk/derive";
 import { isRead } from "../desk/program";
 import { placeAt } from "../state/places";
-import { putRecent } from "../state/recent";
+import { LONGEST, putRecent } from "../state/recent";
 import { memoryKey, programOf, type State } from "../state/state";
 
 /** To be called with each state that is drawn. */
@@ -38,6 +38,7 @@ function noteProgram(state: State): void {
   const file = state.program.files[control];
   if (!file) return;
   const text = programOf(state);
+  if (text.length > LONGEST) return;
   void putRecent({
     id: `program ${control} ${file.name}`,
     at: Date.now(),

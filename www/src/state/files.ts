@@ -2,7 +2,7 @@
 
 import type { ProgramCore } from "../core/program";
 import { el } from "../dom";
-import { decode, type Encoding } from "../encoding";
+import { type Bytes, decodeFrom, type Encoding, PIECE } from "../encoding";
 import { type Pace, within } from "../pace";
 import { say, t } from "../texts";
 import type { Dialect } from "../wire";
@@ -44,20 +44,67 @@ export interface Refusal {
 }
 
 const MEGABYTE = 1e6;
-const LARGEST_PROGRAM = 64 * MEGABYTE;
 const LARGEST_SETUP = 4 * MEGABYTE;
-const PIECE = 2 ** 20; // bytes between two looks at the clock
+const WINDOW = 2 ** 23; // bytes of a file that are there at once
+const BEHIND = 16; // bytes, some characters
+const TIMES = 3; // bytes that the page needs for one of a program: while it is put together, and its lines
+
+const megabytes = (file: File): number => Math.ceil(file.size / MEGABYTE);
 
 /** Why a file is not taken that has more than so many bytes. */
 export function tooLarge(key: string, file: File, most: number): Refusal {
-  return { key, args: { name: file.name, size: Math.ceil(file.size / MEGABYTE), most: most / MEGABYTE } };
+  return { key, args: { name: file.name, size: megabytes(file), most: most / MEGABYTE } };
+}
+
+/** Why a program is not taken that the browser cannot hold. */
+const notHeld = (file: File): Refusal => ({
+  key: "refused-program-size",
+  args: { name: file.name, size: megabytes(file) },
+});
+
+/** What Chromium tells of the memory of a page. */
+interface Memory {
+  jsHeapSizeLimit: number;
+  usedJSHeapSize: number;
+}
+
+/** Whether the browser has texts of so many characters, and room for one. */
+function holds(characters: number): boolean {
+  const { memory } = performance as { memory?: Memory };
+  if (memory && TIMES * characters > memory.jsHeapSizeLimit - memory.usedJSHeapSize) return false;
+  try {
+    return "0".repeat(characters).length >= Math.floor(characters); // takes no room before somebody looks at it
+  } catch {
+    return false;
+  }
+}
+
+/** The bytes of a file, of which a part is there at a time. */
+function bytesOf(file: File): Bytes {
+  let window = new Uint8Array();
+  let start = 0;
+  const has = (at: number): boolean => {
+    const end = start + window.length;
+    return at >= start && (at + PIECE + BEHIND <= end || (at < end && end === file.size));
+  };
+  return {
+    length: file.size,
+    async from(at) {
+      if (!has(at)) {
+        window = new Uint8Array(await file.slice(at, at + WINDOW).arrayBuffer());
+        start = at;
+      }
+      if (!has(at)) throw new DOMException("the file is another one", "NotReadableError");
+      return window.subarray(at - start);
+    },
+  };
 }
 
 /** How a program is encoded, or why the file is none. */
-async function recognised(bytes: Uint8Array, core: ProgramCore, pace: Pace): Promise<Encoding | { why: string }> {
+async function recognised(bytes: Bytes, core: ProgramCore, pace: Pace): Promise<Encoding | { why: string }> {
   const recogniser = core.recogniser();
   for (let at = 0; at < bytes.length; at += PIECE) {
-    recogniser.take(bytes.subarray(at, at + PIECE));
+    recogniser.take((await bytes.from(at)).subarray(0, PIECE));
     await pace.turn(at / bytes.length);
   }
   const found = recogniser.finish();
@@ -69,16 +116,18 @@ export async function readProgram(
   core: ProgramCore,
   pace: Pace,
 ): Promise<{ text: string; file: ProgramFile; mark: string } | Refusal> {
-  if (file.size > LARGEST_PROGRAM) return tooLarge("refused-program-size", file, LARGEST_PROGRAM);
   const { name } = file;
+  const bytes = bytesOf(file);
+  if (!holds(file.size / 4)) return notHeld(file); // a character has four bytes at most
   try {
-    const bytes = new Uint8Array(await file.arrayBuffer());
     const encoding = await recognised(bytes, core, within(pace, 0, 0.5));
     if (typeof encoding !== "string") return { key: "refused-no-program", args: { name, ...encoding } };
-    const text = await decode(bytes, encoding, within(pace, 0.5, 0.9));
+    if (!holds(encoding.startsWith("utf-16") ? file.size / 2 : file.size)) return notHeld(file);
+    const text = await decodeFrom(bytes, encoding, within(pace, 0.5, 0.9));
     const mark = await markInPieces(text, encoding, within(pace, 0.9, 1));
     return { text, file: { name, encoding, opened: openedNow() }, mark };
   } catch (problem) {
+    if (problem instanceof RangeError) return notHeld(file);
     if (!(problem instanceof DOMException)) throw problem;
     return { key: "refused-unreadable", args: { name } };
   }

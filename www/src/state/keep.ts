@@ -18,6 +18,7 @@ import { type Flat, kept, preferences } from "./stored";
 const STORE = "probewright-1";
 const INLINE = 20_000; // characters of a program, or of an edit of a longer one, that are written with every change
 const REST = 200; // ms without a change, after which the database gets a longer program
+const HUGE = 4_000_000; // characters: of such a program the database keeps the text before an edit that is told
 
 /** Characters of a file beside the program that are written with every change. */
 const SMALL = 2000;
@@ -148,6 +149,13 @@ function told(control: Dialect, text: string): boolean {
   return true;
 }
 
+/** Whether the database needs nothing more to have the program. */
+function lies(control: Dialect, text: string): boolean {
+  const base = lying[control];
+  if (!base?.own) return false;
+  return base.text === text || (text.length > HUGE && told(control, text));
+}
+
 function asStored(state: State, flat: Flat, long: [Dialect, string][]): Stored {
   const controls = long.map(([control]) => control);
   const programs = Object.entries(state.program.texts).filter(([control]) => !controls.includes(control as Dialect));
@@ -165,14 +173,14 @@ function write(state: State, flat: Flat): Saved {
   const long = longPrograms(state);
   const all = long.map(([control, text]) => told(control, text)).every(Boolean);
   const besideLies = longBeside(state).every(file => besides.has(file));
-  const lies = besideLies && long.every(([control, text]) => lying[control]?.own && lying[control].text === text);
+  const allLie = besideLies && long.every(([control, text]) => lies(control, text));
   const json = JSON.stringify(asStored(state, flat, long));
   sessionStorage.setItem(STORE, json);
   const newest = read(localStorage);
   const later = Number(newest?.changed ?? 0) > state.page.changed;
   localStorage.setItem(STORE, later ? JSON.stringify(left(newest, state)) : json);
   last = flat;
-  return { kept: true, ...(lies ? {} : { layAfter: all && besideLies ? REST : 0 }) };
+  return { kept: true, ...(allLie ? {} : { layAfter: all && besideLies ? REST : 0 }) };
 }
 
 /**
@@ -197,8 +205,16 @@ export function save(state: State): Saved {
   }
 }
 
-/** Lays the long programs down in the database. false: it takes nothing. */
-export async function lay(now: () => State): Promise<boolean> {
+let laid: Promise<unknown> = Promise.resolve(); // what is under way, and all before it
+
+/** Lays the long programs down in the database, one after the other. false: it takes nothing. */
+export function lay(now: () => State): Promise<boolean> {
+  const next = laid.then(() => layAll(now));
+  laid = next;
+  return next;
+}
+
+async function layAll(now: () => State): Promise<boolean> {
   try {
     for (const file of longBeside(now())) {
       if (besides.has(file)) continue;
@@ -206,7 +222,7 @@ export async function lay(now: () => State): Promise<boolean> {
       write(now(), kept(now()));
     }
     for (const [control, text] of longPrograms(now())) {
-      if (lying[control]?.own && lying[control].text === text) continue;
+      if (lies(control, text)) continue;
       const key = await layText(text);
       const before = lying[control];
       lying[control] = { key, text, own: true };

@@ -27,7 +27,8 @@ export type Recent = RecentProgram | RecentForm;
 const DATABASE = "probewright-recent-1";
 const ITEMS = "items";
 const MOST = 8;
-const LONGEST = 4_000_000; // characters of a program that are kept
+/** Characters of a program that is kept, at most. */
+export const LONGEST = 4_000_000;
 
 let opened: Promise<IDBDatabase> | null = null;
 
@@ -63,7 +64,6 @@ export async function recentItems(): Promise<Recent[]> {
 
 /** Puts it before all others; the oldest goes. */
 export async function putRecent(item: Recent): Promise<void> {
-  if ("text" in item && item.text.length > LONGEST) return;
   try {
     await inItems("readwrite", items => items.put(item));
     for (const { id } of (await recentItems()).slice(MOST)) await removeRecent(id);

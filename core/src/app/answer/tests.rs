@@ -201,7 +201,7 @@ fn a_run_has_an_answer_for_the_call_that_stops_it() {
                 _TZL=0.01 _K=1 _EVNUM=0\nFOR R1=1 TO 3\nCYCLE977\nENDFOR\n_MVAR=99\nCYCLE977\nM30\n";
     let asked = RunRequest {
         control: Dialect::Sinumerik,
-        text: text.to_owned(),
+        text: text.into(),
         setup: None,
         program: None,
         arguments: None,

@@ -11,6 +11,7 @@ use probewright_core::{app, program, syntax};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::sync::Arc;
 
 /// What is checked.
 #[derive(clap::Args)]
@@ -44,10 +45,11 @@ pub fn check(asked: &Arguments, words: &Words, out: &mut dyn Write) -> Result<Ex
         };
         let found = match &machine {
             Some(setup) => {
-                let program = syntax::read_on(setup.control.dialect, &joined.text, &setup.control.definitions.macros);
+                let macros = &setup.control.definitions.macros;
+                let program = syntax::read_held(setup.control.dialect, &joined.text, macros, &mut |_| {});
                 program::findings_on(&program, setup.control.clone())
             }
-            None => program::findings(&syntax::read(joined.dialect, &joined.text)),
+            None => program::findings(&syntax::read_held(joined.dialect, &joined.text, &Arc::default(), &mut |_| {})),
         };
         errors += found.iter().filter(|finding| finding.severity == Severity::Error).count();
         for (path, source, found) in joined.files(&found) {

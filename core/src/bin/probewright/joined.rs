@@ -6,6 +6,7 @@ use probewright_core::diagnostic::{Diagnostic, Edit, Span};
 use probewright_core::dialect::Dialect;
 use probewright_core::syntax::joined;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// A file in the text.
 struct Part {
@@ -57,7 +58,7 @@ fn is_program(path: &Path) -> bool {
 /// A program with the files named with it.
 pub struct Joined {
     /// All of it.
-    pub text: Vec<u8>,
+    pub text: Arc<Vec<u8>>,
     /// Language of the program.
     pub dialect: Dialect,
     parts: Vec<Part>,
@@ -93,7 +94,7 @@ impl Joined {
     /// A program alone whose text is not held.
     pub fn unheld(path: &Path, dialect: Dialect) -> Joined {
         let program = Part { path: path.to_owned(), start: 0, line: 0, source: None };
-        Joined { text: Vec::new(), dialect, parts: vec![program] }
+        Joined { text: Arc::default(), dialect, parts: vec![program] }
     }
 
     /// In this language.

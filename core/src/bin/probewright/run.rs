@@ -179,7 +179,7 @@ impl Text {
     fn begin(&self, setup: Option<&Setup>, given: Given) -> Result<Begun, Problem> {
         let Some(stream) = &self.stream else {
             let macros = setup.map(|setup| Arc::clone(&setup.control.definitions.macros)).unwrap_or_default();
-            let program = syntax::read_to_run(self.joined.dialect, &self.joined.text, &macros);
+            let program = syntax::read_held(self.joined.dialect, &self.joined.text, &macros, &mut |_| {});
             return Ok((Rc::new(program), Box::new(|session| given.to(session))));
         };
         let (program, prepare) = stream.begin()?;

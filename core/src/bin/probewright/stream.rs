@@ -131,7 +131,7 @@ impl Stream {
 }
 
 fn read(dialect: Dialect, text: &[u8]) -> Program {
-    syntax::read_to_run(dialect, text, &Arc::default())
+    syntax::read_lean(dialect, text, &Arc::default())
 }
 
 /// A file behind its first piece.

@@ -29,7 +29,8 @@ impl Asked {
             let kind = &word.kind;
             matches!(kind, WordKind::Address { .. } | WordKind::Header | WordKind::Keyword { .. })
         };
-        Asked { piece: !program.words.iter().any(whole), said: BTreeSet::new(), calibrated: BTreeSet::new() }
+        let piece = !program.blocks.iter().any(|block| block.plain) && !program.words.iter().any(whole);
+        Asked { piece, said: BTreeSet::new(), calibrated: BTreeSet::new() }
     }
 }
 

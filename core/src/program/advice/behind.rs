@@ -12,7 +12,7 @@ use crate::program::flow;
 use crate::program::flow::{Follow, Meet, Mode};
 use crate::program::of_control::{SWIVEL, is_frame};
 use crate::syntax::programs::Programs;
-use crate::syntax::{Program, Word, WordKind};
+use crate::syntax::{Block, Plain, Program, Word, WordKind};
 use std::collections::BTreeMap;
 
 /// A frame that a call corrects where it is stored, and the one active there.
@@ -151,6 +151,13 @@ impl Follow for Rules<'_> {
         if words.iter().any(|word| sets_frame(self.program, word)) {
             pending.clear();
         } else if moves(self.program, words) {
+            self.use_all(pending);
+        }
+    }
+
+    fn motion(&mut self, pending: &mut Pending, block: &Block) {
+        let axis = |motion: Plain| motion.parts().any(|part| b"XYZ".contains(&part.letter));
+        if !pending.is_empty() && self.program.plain(block).is_some_and(axis) {
             self.use_all(pending);
         }
     }

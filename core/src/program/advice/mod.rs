@@ -117,7 +117,8 @@ fn in_order(sites: &[CallSite]) -> Vec<(usize, &CallSite, &Way)> {
 /// force at the call, whatever stands between values that were written earlier and the call.
 fn begin(program: &Program, site: &CallSite) -> u32 {
     let assigns = |word: &Word| matches!(word.kind, WordKind::Assign { .. });
-    let only = |line: &u32| program.words_at(*line as usize).iter().all(assigns);
+    let plain = |line: u32| program.blocks.get(line as usize).is_some_and(|block| block.plain);
+    let only = |line: &u32| !plain(*line) && program.words_at(*line as usize).iter().all(assigns);
     (site.first_line..site.line).rev().take_while(only).last().unwrap_or(site.line)
 }
 

@@ -69,6 +69,8 @@ pub trait Follow {
     type State: Meet;
     /// Takes in the words of a block, calls excepted: functions count before calls.
     fn block(&mut self, state: &mut Self::State, words: &[Word]);
+    /// Takes in a motion that was left as text.
+    fn motion(&mut self, _: &mut Self::State, _: &Block) {}
     /// Meets a word of the block that calls something.
     fn call(&mut self, _: &mut Self::State, _: &Word) {}
     /// A program that is not in this text was called, or calls this one.
@@ -207,14 +209,14 @@ impl<F: Follow> Walk<'_, F> {
         while let Some(block) = program.blocks.get(at).filter(|_| at < range.end) {
             let words = program.words_of(block);
             if !self.passes.begins(at) && !branches.concerned(program, block, words) {
-                self.block(&mut branches, words);
+                self.block(&mut branches, block, words);
                 at += 1;
                 continue;
             }
             branches.arrive(program, block, words);
             self.passes.begin(&branches, at);
             let before = block.skip.map(|_| branches.state.clone());
-            self.block(&mut branches, words);
+            self.block(&mut branches, block, words);
             if let Some(before) = before {
                 branches.state = before.meet(&branches.state);
             }
@@ -242,8 +244,11 @@ impl<F: Follow> Walk<'_, F> {
         at + 1
     }
 
-    fn block(&mut self, branches: &mut Branches<F::State>, words: &[Word]) {
+    fn block(&mut self, branches: &mut Branches<F::State>, block: &Block, words: &[Word]) {
         self.rules.block(&mut branches.state, words);
+        if block.plain {
+            self.rules.motion(&mut branches.state, block);
+        }
         for at in 0..words.len() {
             self.call(branches, words, at);
         }

@@ -1,0 +1,62 @@
+// A long program on its way into a worker: once, in pieces, so that the page stands still for none of them; after that
+// what was edited since. Questions about it come without the text.
+
+import { difference } from "../difference";
+import type { Splice } from "../eol";
+import { LONG } from "../pace";
+
+/** What a worker is told about the text that questions are about. */
+export type Told = { begin: number } | { piece: Uint8Array<ArrayBuffer> } | { edit: Splice };
+
+const PIECE = 2 ** 20; // characters that are handed over at once
+const SLICE = 12; // ms
+
+/** Where a piece ends: it parts no pair of surrogates. */
+function endOf(text: string, from: number): number {
+  const to = Math.min(from + PIECE, text.length);
+  return text.charCodeAt(to - 1) >> 10 === 0x36 && to < text.length ? to - 1 : to;
+}
+
+/** The text that lies in a worker. */
+export interface Handed {
+  /** Whether a text is so long that it is handed over apart from its questions. */
+  takes(text: string): boolean;
+  /** Hands it over; gives back by what it is known, or null where `over` says that nobody waits for it any more. */
+  hand(text: string, over: () => boolean): Promise<string | null>;
+}
+
+/** `post`: to the worker. */
+export function createHanded(post: (told: Told, transfer: ArrayBuffer[]) => void): Handed {
+  const encoder = new TextEncoder();
+  let there: string | null = null;
+  let version = 0;
+
+  const whole = async (text: string, over: () => boolean): Promise<boolean> => {
+    there = null;
+    post({ begin: text.length }, []);
+    let until = performance.now() + SLICE;
+    for (let from = 0; from < text.length; ) {
+      const to = endOf(text, from);
+      const piece = encoder.encode(text.slice(from, to));
+      post({ piece }, [piece.buffer]);
+      from = to;
+      if (performance.now() < until) continue;
+      await new Promise(resolve => setTimeout(resolve));
+      if (over()) return false;
+      until = performance.now() + SLICE;
+    }
+    return true;
+  };
+  return {
+    takes: text => text.length > LONG,
+    async hand(text, over) {
+      const edit = there === null ? null : difference(there, text);
+      const far = there === null || (edit !== null && edit.insert.length > PIECE);
+      if (far && !(await whole(text, over))) return null;
+      if (!far && edit) post({ edit }, []);
+      if (far || edit) version++;
+      there = text;
+      return `${version}`;
+    },
+  };
+}
