@@ -127,6 +127,7 @@ export function createPractice(store: Store, core: () => ProgramCore | null): Pr
         .map(line => line.replace(/[;#].*$/, "").trim())
         .filter(line => line);
       carryOut({ lines, seed: seed ? Number(seed) : null, part, piece });
+      set({ revealed: !seed });
     },
     change: set,
   };
