@@ -426,7 +426,7 @@ step-errors = Abweichungen
 step-machine = Maschine
 step-sets = Wertesätze
 
-refused-program-size = { $name } wurde nicht geöffnet: Die Datei hat { $size } MB, mehr als dieser Browser im Speicher halten kann. Ihr Programm ist unverändert.
+refused-program-size = { $name } wurde nicht geöffnet: Die Datei hat { $size } MB, mehr als dieser Browser im Speicher halten kann. Ihr Programm ist unverändert.
 refused-setup-size = { $name } wurde nicht geöffnet: Die Datei hat { $size } MB, eine Maschineneinrichtung darf höchstens { $most } MB haben. Ihre Maschineneinrichtung ist unverändert.
 refused-no-program = { $name } wurde nicht geöffnet: { $why }. Ihr Programm ist unverändert.
 refused-unreadable = { $name } wurde nicht geöffnet: Der Browser kann die Datei nicht lesen. Vielleicht wurde sie inzwischen verschoben oder geändert.

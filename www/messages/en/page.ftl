@@ -417,7 +417,7 @@ step-errors = Simulated errors
 step-machine = Machine
 step-sets = Value sets
 
-refused-program-size = { $name } was not opened: it has { $size } MB, more than this browser can hold. Your program is unchanged.
+refused-program-size = { $name } was not opened: it has { $size } MB, more than this browser can hold. Your program is unchanged.
 refused-setup-size = { $name } was not opened: it has { $size } MB, but a setup may have at most { $most } MB. Your setup is unchanged.
 refused-no-program = { $name } was not opened: { $why }. Your program is unchanged.
 refused-unreadable = { $name } was not opened: the browser cannot read it. The file may have been moved or changed.

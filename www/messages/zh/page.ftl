@@ -410,7 +410,7 @@ step-errors = 模拟误差
 step-machine = 机床
 step-sets = 参数组
 
-refused-program-size = 未打开 { $name }：文件为 { $size } MB，超出此浏览器的内存。您的程序没有改变。
+refused-program-size = 未打开 { $name }：文件为 { $size } MB，超出此浏览器的内存。您的程序没有改变。
 refused-setup-size = 未打开 { $name }：文件为 { $size } MB，机床配置最大 { $most } MB。您的机床配置没有改变。
 refused-no-program = 未打开 { $name }：{ $why }。您的程序没有改变。
 refused-unreadable = 未打开 { $name }：浏览器无法读取。文件可能已被移动或更改。
