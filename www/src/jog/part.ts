@@ -79,6 +79,7 @@ export function createPart(root: HTMLElement, practice: Practice): (state: State
     render(
       html`
         <h3>${t("practice-part")}</h3>
+        ${jog.setup && jog.seen.piece ? html`<p class="jog-quiet">${t("practice-stand-in")}</p>` : nothing}
         <button
           type="button"
           class="jog-surprise"
