@@ -61,7 +61,7 @@ pub fn read(bytes: &[u8], extent: Extent) {
     let mut die = Die::new(extent, bytes);
     for dialect in die.of(DIALECTS.to_vec()) {
         let program = parse(dialect, bytes);
-        assert_eq!(program.source, bytes);
+        assert_eq!(program.source.as_slice(), bytes);
         let sites = calls(&program);
         for site in &sites {
             changed(&program, site, &mut die);
