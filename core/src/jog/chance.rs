@@ -14,7 +14,6 @@ pub struct Truth {
     /// Displacement X Y Z of the first solid, mm.
     pub shift: [f64; 3],
     /// Rotation about the machine's X Y Z (RPY), degree.
-    #[cfg_attr(test, ts(type = "[number, number, number]"))]
     pub tilt: Rpy,
     /// Added to every diameter, width and length, mm.
     pub size: f64,
