@@ -77,7 +77,7 @@ describe("little room", () => {
   const actions = async (page, phone) => {
     await openPageMenu(page);
     const all = page.locator("#page-actions, .top-actions").locator("button:visible, select:visible");
-    assert.equal(await all.count(), phone ? 11 : 8);
+    assert.equal(await all.count(), phone ? 12 : 8);
     for (const one of await all.all()) assert.ok(await reachable(one), await one.textContent());
     await page.locator("#page-actions button").last().click();
     const dialog = page.locator("dialog[open]");
@@ -98,7 +98,7 @@ describe("little room", () => {
         await page.locator(".results tbody tr").first().waitFor({ state: "attached" });
         await typing(page);
         await panels(page);
-        await actions(page, width < 768 && height >= 400); // tasks, help and machine have no tab there
+        await actions(page, width < 768 && height >= 400); // tasks, help, machine and practice have no tab there
         assert.deepEqual(problems, []);
         await context.close();
       });
