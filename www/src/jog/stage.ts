@@ -1,13 +1,13 @@
 // The stage while one practises: the part as it lies, the probe where it is; what NC start began is seen as it happens.
 
 import type { SceneData } from "../core/scene";
-import { el, on, setText, show } from "../dom";
-import { type IconName, icon } from "../icons";
+import { el, setText, show } from "../dom";
+import type { IconName } from "../icons";
 import type { Preview, ViewName } from "../preview/view";
 import type { State } from "../state/state";
 import { t } from "../texts";
 import { type Shown, shownTheme } from "../theme";
-import type { Stage } from "../views/stage";
+import { type Stage, tool } from "../views/stage";
 
 const still = matchMedia("(prefers-reduced-motion: reduce)");
 const LONGEST = 2.5; // s that a measurement is shown for
@@ -84,10 +84,4 @@ function play(preview: Preview, { begins }: SceneData, from: number): void {
     playing = requestAnimationFrame(frame);
   };
   frame(start);
-}
-
-function tool(name: IconName, label: string, run: () => void): HTMLButtonElement {
-  const button = el("button", { type: "button", class: "stage-tool", "aria-label": label, title: label }, icon(name));
-  on(button, "click", run);
-  return button;
 }

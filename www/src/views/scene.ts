@@ -3,7 +3,6 @@
 import { NOTHING, type SceneData } from "../core/scene";
 import type { Derived } from "../desk/derive";
 import { el, on, setAttribute, setText, show } from "../dom";
-import { type IconName, icon } from "../icons";
 import type { Cloud } from "../preview/backend";
 import type { Rect } from "../preview/places";
 import type { Preview } from "../preview/view";
@@ -16,7 +15,7 @@ import { createCube } from "./cube";
 import { createExaggeration } from "./exaggerate";
 import { createLegend, type Thinned } from "./legend";
 import { missing } from "./missing";
-import type { Stage } from "./stage";
+import { type Stage, tool } from "./stage";
 import { createTimeline, paceAt } from "./timeline";
 
 const SOURCES = ["form", "program", "scan"] as const;
@@ -201,13 +200,6 @@ function move(preview: Preview, step: number, pace: number): void {
     if (fraction < 1) moving = requestAnimationFrame(frame);
   };
   frame(begin);
-}
-
-/** A button of the stage that shows an icon and says its name. */
-function tool(name: IconName, label: string, run: () => void): HTMLButtonElement {
-  const button = el("button", { type: "button", class: "stage-tool", "aria-label": label, title: label }, icon(name));
-  on(button, "click", run);
-  return button;
 }
 
 /** Tells how far this reaches from the left. To ask while drawing would lay out the page at each keystroke. */

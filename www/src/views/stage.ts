@@ -1,6 +1,7 @@
 // The 3D view outlives the panel around it: when the language changes, it moves into the new panel with its camera.
 
-import { el } from "../dom";
+import { el, on } from "../dom";
+import { type IconName, icon } from "../icons";
 import type { Preview } from "../preview/view";
 import type { Store } from "../state/store";
 import { say, t } from "../texts";
@@ -77,4 +78,11 @@ export function createStage(store: Store, pointing: Pointing, calm: Promise<void
     },
     colours: theme => colours(theme),
   };
+}
+
+/** A button of the stage that shows an icon and says its name. */
+export function tool(name: IconName, label: string, run: () => void): HTMLButtonElement {
+  const button = el("button", { type: "button", class: "stage-tool", "aria-label": label, title: label }, icon(name));
+  on(button, "click", run);
+  return button;
 }
