@@ -13,12 +13,9 @@ pub fn written(dialect: Dialect, text: &str) -> Option<String> {
     let text = text.trim();
     let pointed = pointed(text);
     let brackets = Grammar::of(dialect).by_address;
-    let stands = |text: &String| is_value_of(dialect, text);
-    let either = |all: &dyn Fn(&str) -> String| {
-        let typed = || Some(all(text)).filter(|_| pointed != text);
-        Some(all(&pointed)).filter(stands).or_else(|| typed().filter(stands))
-    };
-    either(&str::to_owned).or_else(|| brackets.then(|| either(&|text| format!("[{text}]")))?)
+    let readings = || [Some(pointed.as_str()), Some(text).filter(|text| *text != pointed)].into_iter().flatten();
+    let bracketed = readings().filter(|_| brackets).map(|text| format!("[{text}]"));
+    readings().map(str::to_owned).chain(bracketed).find(|text| is_value_of(dialect, text))
 }
 
 /// With each comma between two digits as a point, but for those between the arguments of a function or index.
