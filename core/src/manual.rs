@@ -30,22 +30,29 @@ pub struct Cited(pub &'static str);
 
 impl fmt::Display for Cited {
     fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut said: Vec<(char, &str)> = Vec::new();
-        for (letter, line) in self.0.split(';').flat_map(lines) {
-            let Some(place) = chapter(letter, line).map(|chapter| (letter, chapter)) else { continue };
-            if said.contains(&place) {
-                continue;
-            }
-            let last = said.last().map(|(letter, _)| *letter);
-            if last != Some(letter) {
-                let between = if last.is_some() { "; " } else { "" };
-                write!(to, "{between}{}", manual(letter).map_or("", |(_, title, _)| *title))?;
-            }
-            write!(to, ", {}", place.1)?;
-            said.push(place);
-        }
-        Ok(())
+        to.write_str(&looked_up(self.0))
     }
+}
+
+/// The lines of manuals that a text names, as titles, editions and chapters; empty: it names none.
+pub fn looked_up(text: &str) -> String {
+    let mut told = String::new();
+    let mut said: Vec<(char, &str)> = Vec::new();
+    for (letter, line) in text.split([';', ',', ' ']).flat_map(lines) {
+        let Some(place) = chapter(letter, line).map(|chapter| (letter, chapter)) else { continue };
+        if said.contains(&place) {
+            continue;
+        }
+        let last = said.last().map(|(letter, _)| *letter);
+        if last != Some(letter) {
+            told.push_str(if last.is_some() { "; " } else { "" });
+            told.push_str(manual(letter).map_or("", |(_, title, _)| *title));
+        }
+        told.push_str(", ");
+        told.push_str(place.1);
+        said.push(place);
+    }
+    told
 }
 
 impl serde::Serialize for Cited {

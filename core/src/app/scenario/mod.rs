@@ -10,6 +10,7 @@ pub use noted::{NoteRequest, noted};
 use super::beside::{Beside, Whole};
 use super::{Error, ProgramText};
 use crate::machine::Setup;
+use crate::manual::looked_up;
 use crate::message::Message;
 use crate::refused::{Path, Step};
 use crate::run::{Limits, Outcome, Session};
@@ -75,10 +76,16 @@ pub fn scenario(asked: ScenarioRequest) -> Result<ScenarioView, Error> {
             Ok(text) => differences(&case.expect, &carried_out(&scenario, &setup, text.into(), with.clone())),
             Err(message) => vec![message],
         };
-        Ok(CaseView { id: case.id.clone(), oracle: case.oracle.clone(), differences })
+        Ok(CaseView { id: case.id.clone(), oracle: source(&case.oracle), differences })
     });
     let cases = cases.collect::<Result<Vec<_>, Error>>()?;
-    Ok(ScenarioView { source: scenario.source, cases })
+    Ok(ScenarioView { source: source(&scenario.source), cases })
+}
+
+/// Where figures come from, as a reader looks it up.
+fn source(text: &str) -> String {
+    let chapters = looked_up(text);
+    if chapters.is_empty() { text.to_owned() } else { chapters }
 }
 
 /// The text of a file: its own, else that of the file beside.
