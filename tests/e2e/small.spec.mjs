@@ -77,7 +77,7 @@ describe("little room", () => {
   const actions = async (page, phone) => {
     await openPageMenu(page);
     const all = page.locator("#page-actions, .top-actions").locator("button:visible, select:visible");
-    assert.equal(await all.count(), phone ? 12 : 9);
+    assert.equal(await all.count(), phone ? 13 : 10);
     for (const one of await all.all()) assert.ok(await reachable(one), await one.textContent());
     await page.locator("#page-actions button").last().click();
     const dialog = page.locator("dialog[open]");
