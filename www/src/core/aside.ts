@@ -41,6 +41,8 @@ export interface Aside {
 }
 
 const PATIENCE = 1500; // ms that an outdated question may still take
+/** Characters of a text for which no worker waits: it holds several times as much, and hands it back only at its end. */
+const GIANT = 100_000_000;
 
 function same(a: Question | null | undefined, b: Question): boolean {
   return !!a && Object.entries(b).every(([name, value]) => a[name as keyof Question] === value);
@@ -63,17 +65,17 @@ export function createAside(module: () => WebAssembly.Module | undefined, ready:
     const next = waiting;
     waiting = null;
     if (next) ask(next);
+    else if (answered.question.text.length > GIANT) drop();
     ready();
   };
   const drop = (): void => {
-    // after a problem no call is safe
     worker?.terminate();
-    worker = null;
+    worker = handed = null;
   };
   const start = (compiled: WebAssembly.Module): Worker => {
     const made = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
     const finish = (reply: Exclude<Reply, Way>): void => {
-      if ("problem" in reply) drop();
+      if ("problem" in reply) drop(); // no call is safe any more
       if (running) end({ question: running.question, ...reply });
     };
     const hear = (reply: Reply): void => {

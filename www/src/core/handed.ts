@@ -34,16 +34,17 @@ export function createHanded(post: (told: Told, transfer: ArrayBuffer[]) => void
   const whole = async (text: string, over: () => boolean): Promise<boolean> => {
     there = null;
     post({ begin: text.length }, []);
-    let until = performance.now() + SLICE;
+    let until = 0; // what asked has had its share of the time already
     for (let from = 0; from < text.length; ) {
+      if (performance.now() > until) {
+        await new Promise(resolve => setTimeout(resolve));
+        if (over()) return false;
+        until = performance.now() + SLICE;
+      }
       const to = endOf(text, from);
       const piece = encoder.encode(text.slice(from, to));
       post({ piece }, [piece.buffer]);
       from = to;
-      if (performance.now() < until) continue;
-      await new Promise(resolve => setTimeout(resolve));
-      if (over()) return false;
-      until = performance.now() + SLICE;
     }
     return true;
   };

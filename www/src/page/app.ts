@@ -209,7 +209,7 @@ function createDraw(parts: Parts & { modules: Modules; pointing: Pointing }, kee
     work: { reader, runner },
   } = parts;
   const derive = createDerive(() => modules.forms, parts.catalogue);
-  const desk = createDesk(() => modules.program, reader);
+  const desk = createDesk(() => modules.program, reader, parts.catalogue);
   const settle = (state: State): State => {
     const read = desk(state);
     const next = suited(read, parts.catalogue);

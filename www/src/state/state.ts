@@ -27,6 +27,7 @@ import type {
   RunView,
   Setup,
   Style,
+  Supply,
   UnitFunction,
 } from "../wire";
 import type { BesideFile, Files, Refusal } from "./files";
@@ -88,6 +89,11 @@ export interface Converting {
 export interface CuringAll {
   code: string;
   key: string;
+}
+/** The machine is to get what the program lacks; `told`: what is said of it. */
+export interface Giving {
+  change: { give: Supply };
+  told: Message;
 }
 /**
  * Edits that are shown before they are made: they touch more than what is open, or all of it. They count while the
@@ -169,6 +175,7 @@ export interface DeskState {
   converting: Converting | null;
   converted: ConvertedCall | null;
   curing: CuringAll | null;
+  giving: Giving | null;
   proposed: Proposal | null;
   held: boolean; // something is being dragged: what that changes until its end is one step
 }
@@ -377,6 +384,7 @@ export function firstState(): State {
       converting: null,
       converted: null,
       curing: null,
+      giving: null,
       proposed: null,
       held: false,
     },
