@@ -246,20 +246,17 @@ fn right_side(run: &mut Interpreter, value: ExprId) -> Result<Datum, Problem> {
 
 /// Whether a name with a value is one that the run goes on without; where it does something, that is told.
 fn left_alone(run: &mut Interpreter, name: &str, span: Span) -> bool {
-    if locals::declared(run, name) {
-        return false;
-    }
-    let told = left_out_value(name);
-    if told == Some(true) {
+    let Some(told) = left_out_value(name).filter(|_| !locals::declared(run, name)) else { return false };
+    if told {
         noted::without(run, "run-passed", span, name);
     }
-    told.is_some()
+    true
 }
 
 /// Whether a variable of the program has the name of an address. X, Y and Z stay axes, whatever is declared; where the
 /// machine has a rotary axis of that name, it is told that the program means its variable.
 pub fn hidden(run: &mut Interpreter, name: &str, span: Span) -> bool {
-    let variable = locals::declared(run, name) && !declare::is_axis(name);
+    let variable = !declare::is_axis(name) && locals::declared(run, name);
     if variable && run.sim.control.rotary_axis(name).is_some() {
         run.tell(Severity::Warning, &Problem::new("run-axis-variable", span, name));
     }

@@ -41,8 +41,13 @@ export interface Aside {
 }
 
 const PATIENCE = 1500; // ms that an outdated question may still take
-/** Characters of a text for which no worker waits: it holds several times as much, and hands it back only at its end. */
-const GIANT = 100_000_000;
+const GIANT = 100_000_000; // characters
+
+/**
+ * Whether a text is so long that one worker at a time has it, and none waits for the next question about it: each needs
+ * several times its memory, and hands that back only at its own end.
+ */
+export const isGiant = (text: string): boolean => text.length > GIANT;
 
 function same(a: Question | null | undefined, b: Question): boolean {
   return !!a && Object.entries(b).every(([name, value]) => a[name as keyof Question] === value);
@@ -65,7 +70,7 @@ export function createAside(module: () => WebAssembly.Module | undefined, ready:
     const next = waiting;
     waiting = null;
     if (next) ask(next);
-    else if (answered.question.text.length > GIANT) drop();
+    else if (isGiant(answered.question.text)) drop();
     ready();
   };
   const drop = (): void => {
