@@ -191,7 +191,9 @@ impl Held {
     pub fn ask(&self, what: &str, request: &str) -> Result<String, JsError> {
         let text = self.0.clone();
         let answer = match what {
-            "read" => json::answer(request, |asked| app::read(app::ReadRequest { text, ..asked }, &mut |done| tell(done))),
+            "read" => {
+                json::answer(request, |asked| app::read(app::ReadRequest { text, ..asked }, &mut |done| tell(done)))
+            }
             "change" => json::answer(request, |asked| app::change(app::ChangeRequest { text, ..asked })),
             "convert" => json::answer(request, |asked| app::convert(app::ConvertRequest { text, ..asked })),
             "cure" => json::answer(request, |asked| app::cure(app::CureRequest { text, ..asked })),
