@@ -109,6 +109,10 @@ describe("files with a program", () => {
     assert.equal(await page.locator("#given-DEPTH").count(), 0);
     await page.locator("#run-program").selectOption("TWO");
     await page.locator("#given-DEPTH").fill("3");
+    // the page is drawn while one types: what is not yet taken stays
+    await page.locator("#run-strict").evaluate(box => box.click());
+    await page.locator("#run-strict").evaluate(box => box.click());
+    assert.equal(await page.locator("#given-DEPTH").inputValue(), "3");
     await page.locator("#given-DEPTH").press("Enter");
     await ends(page, TO_ITS_END);
     await page.locator(".panel-results").getByText("R1", { exact: true }).waitFor();

@@ -32,6 +32,12 @@ const CORE: Seam = Seam {
         while !run.advance(500) {}
         Ok(json::text(&run.view()))
     },
+    note: answered!(app::noted),
+    scenario: |text| {
+        let scenario = json::file(text).map_err(|error| error.to_string())?;
+        let view = app::scenario(app::ScenarioRequest { scenario, beside: None });
+        Ok(json::text(&view.map_err(|error| json::positioned(error, text).to_string())?))
+    },
     setup: |text| {
         let setup = json::setup_from_json(text).map_err(|error| error.to_string())?;
         Ok(json::text(&setup))

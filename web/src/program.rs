@@ -260,6 +260,26 @@ pub fn practise(request: &str) -> Result<Answer, JsError> {
     Ok(Answer { view: json::text(&view), seen: Some(seen) })
 }
 
+/// Carries out a scenario file, with the files that it names (`Beside[]`) → `ScenarioView`.
+///
+/// # Errors
+/// It is no scenario, or what it describes cannot be: why, with the place.
+#[wasm_bindgen]
+pub fn scenario(text: &str, beside: &str) -> Result<String, JsError> {
+    let (scenario, beside) = (json::file(text)?, Some(json::question(beside)?));
+    let view = app::scenario(app::ScenarioRequest { scenario, beside });
+    Ok(json::text(&view.map_err(|refused| json::positioned(refused, text))?))
+}
+
+/// `NoteRequest` → `Scenario`.
+///
+/// # Errors
+/// A request or a setup of the wrong shape.
+#[wasm_bindgen]
+pub fn note(request: &str) -> Result<String, JsError> {
+    Ok(json::answer(request, app::noted)?)
+}
+
 /// Tells by its bytes, which come in pieces, whether a file is a part program and how it is encoded.
 #[wasm_bindgen]
 #[derive(Default)]

@@ -207,6 +207,16 @@ export type CallView = {
   arrivals: Array<Diagnostic>,
 };
 
+/** What came of a case. */
+export type CaseView = {
+  /** What it is called. */
+  id: string,
+  /** Where the expectation comes from. */
+  oracle: string,
+  /** How it differs from the expectation; empty: it holds. */
+  differences: Array<Message>,
+};
+
 /** Everything that can be measured. */
 export type Catalogue = {
   /** In the order in which they are offered. */
@@ -730,6 +740,52 @@ export type ErrorSliders = {
   probe: ProbeSliders,
 };
 
+/** What must come of a run. What is absent is not compared. */
+export type Expected = {
+  /** What stops it: the number of an alarm, a message of NCT, the key of a fault; absent: it reaches its end. */
+  stop?: Datum,
+  /** Alarms and operator messages in their order. */
+  alarms?: Array<Datum>,
+  /** What the measuring calls leave in their result data, in the order of their lines. */
+  calls?: Array<ExpectedCall>,
+  /** All that is corrected or calibrated, with the value afterwards: nothing else may change. */
+  changes?: { [key in string]: number },
+  /** User data afterwards. */
+  data?: { [key in string]: number },
+  /** Results that a cycle writes, with their last value. */
+  written?: { [key in string]: number },
+  /** Tool and frame data afterwards. */
+  variables?: { [key in string]: number },
+  /** Zero points of settable frames afterwards, by name. */
+  origins?: { [key in string]: [number, number, number] },
+  /** Where each measuring motion starts, machine coordinates. */
+  starts?: Array<[number, number, number]>,
+  /** Where the probe switches, machine coordinates. */
+  touches?: Array<[number, number, number]>,
+  /** Where the machine stands at the end of each call, machine coordinates. */
+  ends?: Array<[number, number, number]>,
+  /** Feed of all measuring motions, mm/min. */
+  feed?: number,
+  /** To where the spindle is turned, degree. */
+  orientations?: Array<number>,
+  /** Lines of the print-out, and blocks that are sent. */
+  log?: Array<string>,
+  /** Files that it leaves on the control, by name: the log of measurements. */
+  files?: { [key in string]: Array<string> },
+  /** By how much a number may differ; absent: 0.000001. */
+  tolerance?: number,
+};
+
+/** What a measuring call leaves. */
+export type ExpectedCall = {
+  /** Line of the call, from 1. */
+  line: number,
+  /** What is called. */
+  cycle: string,
+  /** Its results. */
+  results: { [key in string]: number },
+};
+
 /** A field of a form. Numbers of `fallback` and `range` are in its unit. */
 export type Field = {
   /** Parameter, as the manual writes it: `_SETVAL`. */
@@ -1158,6 +1214,16 @@ export type Nose = {
   radius: number,
   /** From the centre S to the point P in abscissa and ordinate, in nose radii: -1, 0 or 1. */
   side: [number, number],
+};
+
+/** A run of which a scenario is made. */
+export type NoteRequest = {
+  /** What is run. */
+  run: RunRequest,
+  /** Name of the file with the program. */
+  name: string,
+  /** What the case is called. */
+  case: string,
 };
 
 /** The call of a program to which something belongs; absent: none. */
@@ -1906,6 +1972,70 @@ export type ScanView = {
   radius: number,
   /** From where the points count, machine coordinates, mm. */
   origin: [number, number, number],
+};
+
+/** A program on a machine, and case by case what must come of it. Lengths in mm, angles in degree. */
+export type Scenario = {
+  /** What it is about, and where its figures come from. */
+  source?: string,
+  /** The program. */
+  program: ScenarioText,
+  /** Files beside it: its subprograms, definition files. */
+  with?: Array<ScenarioText>,
+  /** Which program of the text is run, by its name; absent: the first. */
+  main?: string,
+  /** Values for the parameters of the program itself, by name. */
+  arguments?: { [key in string]: Datum },
+  /** Whether what is not there stops the run: a subprogram, a value that only the machine has. */
+  strict?: boolean,
+  /** The machine with its probe, as a setup file describes it. */
+  setup: Setup,
+  /** What is carried out, each from the beginning. */
+  cases: Array<ScenarioCase>,
+};
+
+/** A case: what differs from program and machine of the scenario, and what must come of it. */
+export type ScenarioCase = {
+  /** What it is called. */
+  id: string,
+  /** Where the expectation comes from. */
+  oracle?: string,
+  /** Texts of the program, each with what stands in its place. */
+  replace?: Array<[string, string]>,
+  /** The part; absent: that of the setup. */
+  workpiece?: Array<Solid>,
+  /** Tools that differ, by T number. */
+  tools?: { [key in number]: ToolData },
+  /** User and machine data that differ. */
+  data?: { [key in string]: Datum },
+  /** Tool and frame data that differ, as a program names them: `$P_UIFR[1,X,FI]`, `H98`. */
+  variables?: { [key in string]: number },
+  /** What must come of it. */
+  expect: Expected,
+};
+
+/** A scenario to carry out. */
+export type ScenarioRequest = {
+  /** The scenario. */
+  scenario: Scenario,
+  /** Files that it names without their text; absent: none. */
+  beside?: Array<Beside>,
+};
+
+/** A file with a program. */
+export type ScenarioText = {
+  /** Name of the file. */
+  name: string,
+  /** Its text; absent: the file lies beside the scenario. */
+  text?: string,
+};
+
+/** What came of a scenario. */
+export type ScenarioView = {
+  /** What it is about, and where its figures come from. */
+  source: string,
+  /** Its cases in their order. */
+  cases: Array<CaseView>,
 };
 
 /** A coordinate system, machine coordinates. */

@@ -109,3 +109,20 @@ supply-tool = Werkzeug { $tool } anlegen
 supply-probe = Messtaster { $tool } anlegen
 supply-tools = Alle Werkzeuge des Programms anlegen
 supply-parts = Werkstücke des Programms aufspannen
+
+# Szenarien: worin ein Lauf von der Erwartung abweicht.
+
+scenario-file = { $path }: Die Datei { $name } fehlt
+scenario-variable = { $path }: Werkzeug- oder Framedaten { $name } gibt es nicht
+scenario-replace = „{ $text }“ steht nicht im Programm.
+scenario-stopped = Das Programm hält mit { $found } an, statt sein Ende zu erreichen.
+scenario-not-stopped = Das Programm erreicht sein Ende, statt mit { $expected } anzuhalten.
+scenario-stopped-otherwise = Das Programm hält mit { $found } an, nicht mit { $expected }.
+scenario-alarms = Alarme: { $found }. Erwartet: { $expected }.
+scenario-call = Messaufruf in Zeile { $found }. Erwartet: Zeile { $expected }.
+scenario-count = { $name }, Anzahl: { $found }. Erwartet: { $expected }.
+scenario-value = { $name } = { $found }. Erwartet: { $expected }.
+scenario-none = { $name } hat keinen Wert. Erwartet: { $expected }.
+scenario-more = { $name } = { $found } wird nicht erwartet.
+scenario-text = { $name }: „{ $found }“. Erwartet: „{ $expected }“.
+scenario-no-file = Die Datei { $name } fehlt.

@@ -109,3 +109,20 @@ supply-tool = Add tool { $tool }
 supply-probe = Add probe { $tool }
 supply-tools = Add all tools of the program
 supply-parts = Set up the parts of the program
+
+# Scenarios: how a run differs from the expectation.
+
+scenario-file = { $path }: the file { $name } is missing
+scenario-variable = { $path }: there are no tool or frame data { $name }
+scenario-replace = “{ $text }” is not in the program.
+scenario-stopped = The program stops with { $found } instead of reaching its end.
+scenario-not-stopped = The program reaches its end instead of stopping with { $expected }.
+scenario-stopped-otherwise = The program stops with { $found }, not with { $expected }.
+scenario-alarms = Alarms: { $found }. Expected: { $expected }.
+scenario-call = Measuring call in line { $found }. Expected: line { $expected }.
+scenario-count = { $name }, number: { $found }. Expected: { $expected }.
+scenario-value = { $name } = { $found }. Expected: { $expected }.
+scenario-none = { $name } has no value. Expected: { $expected }.
+scenario-more = { $name } = { $found } is not expected.
+scenario-text = { $name }: “{ $found }”. Expected: “{ $expected }”.
+scenario-no-file = The file { $name } is missing.

@@ -109,3 +109,20 @@ supply-tool = 添加刀具 { $tool }
 supply-probe = 添加测头 { $tool }
 supply-tools = 添加程序中的全部刀具
 supply-parts = 装夹程序所需的工件
+
+# 场景：运行结果与预期的差异。
+
+scenario-file = { $path }：缺少文件 { $name }
+scenario-variable = { $path }：没有刀具数据或框架数据 { $name }
+scenario-replace = 程序中没有“{ $text }”。
+scenario-stopped = 程序因 { $found } 停止，没有运行到结尾。
+scenario-not-stopped = 程序运行到了结尾，预期因 { $expected } 停止。
+scenario-stopped-otherwise = 程序因 { $found } 停止，预期为 { $expected }。
+scenario-alarms = 报警：{ $found }。预期：{ $expected }。
+scenario-call = 测量调用位于第 { $found } 行。预期：第 { $expected } 行。
+scenario-count = { $name }，数量：{ $found }。预期：{ $expected }。
+scenario-value = { $name } = { $found }。预期：{ $expected }。
+scenario-none = { $name } 没有值。预期：{ $expected }。
+scenario-more = { $name } = { $found }，不在预期之中。
+scenario-text = { $name }：“{ $found }”。预期：“{ $expected }”。
+scenario-no-file = 缺少文件 { $name }。

@@ -22,6 +22,7 @@ mod program;
 mod program_text;
 mod run;
 mod scan;
+mod scenario;
 mod start;
 mod story;
 mod supply;
@@ -57,6 +58,10 @@ pub use program::{Arrival, CallView, ProgramParameter, ProgramPlace, ReadRequest
 pub use program_text::ProgramText;
 pub use run::{OfCall, Run, RunAlarm, RunAnswer, RunAssumed, RunDecision, RunRequest, RunResult, RunView};
 pub use scan::{Scan, ScanRequest, ScanView, SurfaceChoice, put_surface};
+pub use scenario::{
+    CaseView, Expected, ExpectedCall, NoteRequest, Scenario, ScenarioCase, ScenarioRequest, ScenarioText, ScenarioView,
+    noted, scenario,
+};
 pub use start::{Beginning, Machine, OwnMachine};
 pub use story::{Story, story};
 pub use supply::{NewTool, Offer, Supply};

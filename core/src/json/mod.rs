@@ -8,6 +8,7 @@ mod tests;
 mod text;
 
 pub use crate::refused::Refused as Error;
+pub use text::positioned;
 
 use crate::machine::Setup;
 use crate::message::Message;
@@ -41,8 +42,15 @@ pub fn question<T: DeserializeOwned>(text: &str) -> Result<T, Error> {
 /// # Errors
 /// The text is no setup: why, with the place.
 pub fn setup_from_json(text: &str) -> Result<Setup, Error> {
-    let document = text::parse(text)?;
-    shape::read(document).and_then(setup_file::setup).map_err(|refused| text::positioned(refused, text))
+    setup_file::setup(file(text)?).map_err(|refused| positioned(refused, text))
+}
+
+/// Reads a file that a user wrote.
+///
+/// # Errors
+/// It is no JSON, or not of its shape: why, with the place.
+pub fn file<T: DeserializeOwned>(text: &str) -> Result<T, Error> {
+    question(text).map_err(|refused| positioned(refused, text))
 }
 
 /// An answer. A number that is not finite becomes null, as JSON has none.

@@ -30,7 +30,7 @@ fn column(text: &str, error: &serde_json::Error) -> usize {
 }
 
 /// With the line and the column of its member in this text.
-pub(super) fn positioned(refused: Refused, text: &str) -> Refused {
+pub fn positioned(refused: Refused, text: &str) -> Refused {
     let position = place(text, &refused.path);
     Refused { position: refused.position.or(position), ..refused }
 }

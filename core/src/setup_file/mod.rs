@@ -83,6 +83,26 @@ pub struct SetupFile {
     skip: BTreeSet<u8>,
 }
 
+impl SetupFile {
+    /// Which control the machine has.
+    pub fn control(&self) -> Dialect {
+        self.control
+    }
+
+    /// The same with another part, and with these tools and data beside its own or in their place.
+    pub fn with(
+        mut self,
+        part: Option<Vec<SolidFile>>,
+        tools: &BTreeMap<i64, ToolFile>,
+        data: &BTreeMap<String, Value>,
+    ) -> SetupFile {
+        self.workpiece = part.unwrap_or(self.workpiece);
+        self.tools.extend(tools.clone());
+        self.data.extend(data.clone());
+        self
+    }
+}
+
 /// What is active at the start.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
@@ -136,7 +156,7 @@ impl Default for MachineFile {
 #[serde(deny_unknown_fields)]
 #[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
 #[cfg_attr(test, derive(ts_rs::TS), ts(rename = "ToolData"))]
-struct ToolFile {
+pub struct ToolFile {
     /// Name under tool management.
     #[serde(default)]
     name: String,
@@ -203,9 +223,9 @@ fn always() -> (f64, u64) {
     (0.0, 1)
 }
 
-/// JSON Schema of the setup file. `Serialize` writes the default values into it.
+/// JSON Schema of a file that users write. `Serialize` writes the default values into it.
 #[cfg(feature = "cli")]
-pub fn schema() -> serde_json::Value {
+pub fn schema<T: schemars::JsonSchema>() -> serde_json::Value {
     // whole lines: a doc comment breaks where the code does, a reader's window elsewhere
     let unwrapped = RecursiveTransform(|schema: &mut schemars::Schema| {
         if let Some(serde_json::Value::String(text)) = schema.get_mut("description") {
@@ -214,5 +234,5 @@ pub fn schema() -> serde_json::Value {
         }
     });
     let generator = SchemaSettings::default().with_transform(unwrapped).into_generator();
-    generator.into_root_schema_for::<SetupFile>().to_value()
+    generator.into_root_schema_for::<T>().to_value()
 }

@@ -1,4 +1,4 @@
-//! Worked measurements of the manual, run as programs: every folder of `tests/cases` that has a `case.json`.
+//! Worked measurements of the manual, run as programs: the scenarios of `tests/cases`, as `probewright test` runs them.
 //! The truth of each case stands in its `oracle`. Written in the manner in which manuals print programs they have to
 //! give the same.
 
@@ -8,224 +8,116 @@
 mod manner;
 mod planes;
 
-use probewright_core::catalogue::alarms;
-use probewright_core::diagnostic::Code;
-use probewright_core::dialect::Dialect;
-use probewright_core::machine::trace::{MotionKind, Step};
-use probewright_core::machine::{Setup, Stop};
-use probewright_core::run::{Limits, Outcome, run};
-use probewright_core::syntax;
-use serde_json::{Map, Value};
+use probewright_core::app::{Scenario, ScenarioRequest, noted, scenario};
+use probewright_core::json::question;
+use probewright_core::setup_file::SetupFile;
 use std::path::{Path, PathBuf};
-
-/// mm, and the unit of the datum.
-const TOLERANCE: f64 = 1e-6;
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
 }
 
-/// The folders with cases, sorted.
-fn folders() -> Vec<PathBuf> {
+/// The scenarios with the text of their programs, by name, sorted.
+fn scenarios() -> Vec<(String, Scenario)> {
     let all = std::fs::read_dir(root().join("tests/cases")).expect("folder tests/cases");
-    let mut folders: Vec<PathBuf> =
-        all.map(|entry| entry.unwrap().path()).filter(|path| path.join("case.json").exists()).collect();
-    folders.sort();
-    folders
+    let mut scenarios: Vec<_> = all.map(|folder| read(&folder.unwrap().path())).collect();
+    scenarios.sort_by(|(one, _), (other, _)| one.cmp(other));
+    scenarios
 }
 
-/// Runs the cases of every folder with its program after a change of its text; how many there were.
-fn every_case(change: impl Fn(Dialect, &str, &str) -> String) -> usize {
-    let mut count = 0;
-    for folder in folders() {
-        let file = read(&folder);
-        let program = match dialect(&file) {
-            Dialect::Sinumerik => "program.mpf",
-            Dialect::Nct => "program.nc",
-        };
-        let source = std::fs::read_to_string(folder.join(program)).unwrap();
-        let name = folder.file_name().unwrap().to_string_lossy();
-        count += cases(&folder, &file, &source, |text| change(dialect(&file), &name, text));
+fn read(folder: &Path) -> (String, Scenario) {
+    let name = folder.file_name().unwrap().to_string_lossy().into_owned();
+    let text = std::fs::read_to_string(folder.join("scenario.json")).unwrap();
+    let mut scenario: Scenario = question(&text).unwrap_or_else(|error| panic!("{name}: {error}"));
+    scenario.program.text = Some(std::fs::read_to_string(folder.join(&scenario.program.name)).unwrap());
+    for case in &scenario.cases {
+        assert!(!case.oracle.is_empty(), "{name} {}: no oracle", case.id);
     }
-    count
+    (name, scenario)
+}
+
+/// Every case of a scenario comes to what it must; how many there are.
+fn holds(name: &str, scenario_now: Scenario) -> usize {
+    let view = scenario(ScenarioRequest { scenario: scenario_now, beside: None });
+    let cases = view.unwrap_or_else(|error| panic!("{name}: {error}")).cases;
+    for case in &cases {
+        assert_eq!(case.differences, [], "{name} {}", case.id);
+    }
+    cases.len()
 }
 
 #[test]
 fn own_programs() {
-    let count = every_case(|_, _, source| source.to_owned());
-    assert!(count >= 48, "only {count} cases found");
+    let count: usize = scenarios().into_iter().map(|(name, scenario)| holds(&name, scenario)).sum();
+    assert!(count >= 119, "only {count} cases found");
 }
 
 // oracle: the cases themselves; manuals print their programs in this manner
 #[test]
 fn programs_as_manuals_print_them() {
-    let count = every_case(manner::printed);
-    assert!(count >= 48, "only {count} cases found");
-}
-
-fn read(folder: &Path) -> Value {
-    let text = std::fs::read_to_string(folder.join("case.json")).unwrap();
-    serde_json::from_str(&text).unwrap_or_else(|error| panic!("{}: {error}", folder.display()))
-}
-
-/// The control of a folder.
-fn dialect(file: &Value) -> Dialect {
-    match file["setup"]["control"].as_str() {
-        Some("nct") => Dialect::Nct,
-        _ => Dialect::Sinumerik,
+    for (name, mut scenario) in scenarios() {
+        let control = scenario.setup.control();
+        let printed = |text: &String| manner::printed(control, &name, text);
+        for case in &mut scenario.cases {
+            // what is replaced stands in the text as it was written
+            let replaced = |text: String, (old, new): &(String, String)| text.replace(old, new);
+            case.replace = match case.replace.is_empty() {
+                true => Vec::new(),
+                false => {
+                    let text = scenario.program.text.clone().unwrap();
+                    vec![(printed(&text), printed(&case.replace.iter().fold(text, replaced)))]
+                }
+            };
+        }
+        scenario.program.text = scenario.program.text.as_ref().map(printed);
+        holds(&name, scenario);
     }
 }
 
-/// An alarm by its number, or a message of NCT by its words.
-fn code(value: &Value) -> Code {
+// oracle: self (each figure of every expectation is compared: with any of them changed the case no longer holds)
+#[test]
+fn whatever_is_expected_otherwise_is_told() {
+    for (name, scenario_now) in scenarios() {
+        let case = &scenario_now.cases[0];
+        let document = serde_json::to_value(&case.expect).unwrap();
+        for (member, _) in document.as_object().unwrap() {
+            let mut other = document.clone();
+            if !spoil(&mut other[member]) {
+                continue;
+            }
+            let mut spoilt = scenario_now.clone();
+            spoilt.cases.truncate(1);
+            spoilt.cases[0].expect = question(&other.to_string()).unwrap();
+            let view = scenario(ScenarioRequest { scenario: spoilt, beside: None }).unwrap();
+            assert_ne!(view.cases[0].differences, [], "{name} {}: {member}", case.id);
+        }
+    }
+}
+
+// oracle: self (what is noted of a run is what comes of it again)
+#[test]
+fn what_is_noted_of_a_run_holds() {
+    for (name, scenario) in scenarios() {
+        let case = &scenario.cases[0];
+        let program = scenario.program.text.clone().unwrap();
+        let text = case.replace.iter().fold(program, |text, (old, new)| text.replace(old, new));
+        let setup = SetupFile::from(&scenario.machine(case).unwrap());
+        let run = serde_json::json!({ "control": scenario.setup.control(), "text": text, "setup": setup });
+        let request = serde_json::json!({ "run": run, "name": name, "case": case.id });
+        let written = serde_json::to_string(&noted(question(&request.to_string()).unwrap()).unwrap()).unwrap();
+        holds(&name, question(&written).unwrap());
+    }
+}
+
+/// Changes the last figure below a value; false: there is none.
+fn spoil(value: &mut serde_json::Value) -> bool {
+    if let Some(number) = value.as_f64() {
+        *value = (number + 0.5).into();
+        return true;
+    }
     match value {
-        Value::Number(number) => Code::Alarm(number.as_u64().unwrap() as u32),
-        other => alarms::find(other.as_str().unwrap()).unwrap().code,
+        serde_json::Value::Array(all) => all.last_mut().is_some_and(spoil),
+        serde_json::Value::Object(all) => all.values_mut().next_back().is_some_and(spoil),
+        _ => false,
     }
-}
-
-/// Runs every case of a folder, its program written with `change`; how many there were.
-fn cases(folder: &Path, file: &Value, source: &str, change: impl Fn(&str) -> String) -> usize {
-    let cases = file["cases"].as_array().unwrap();
-    for case in cases {
-        let name = format!("{} {}", folder.file_name().unwrap().display(), case["id"]);
-        assert!(case["oracle"].as_str().is_some_and(|oracle| !oracle.is_empty()), "{name}: no oracle");
-        let mut source = source.to_string();
-        for pair in case["replace"].as_array().into_iter().flatten() {
-            let (old, new) = (pair[0].as_str().unwrap(), pair[1].as_str().unwrap());
-            assert!(source.contains(old), "{name}: {old} is not in the program");
-            source = source.replace(old, new);
-        }
-        let program = syntax::read(dialect(file), change(&source).as_bytes());
-        let outcome = run(&program, &setup(file, case), Limits::default());
-        expect(&name, &case["expect"], &outcome);
-    }
-    cases.len()
-}
-
-/// The setup of the file with what the case changes.
-fn setup(file: &Value, case: &Value) -> Setup {
-    let mut whole = file["setup"].clone();
-    whole["workpiece"] = case["workpiece"].clone();
-    for (member, value) in members(&case["setup"]) {
-        whole[member] = value;
-    }
-    let mut setup = probewright_core::json::setup_from_json(&whole.to_string()).unwrap();
-    for (name, value) in members(&case["data"]) {
-        setup.control.set(name.clone(), value.as_f64().unwrap());
-    }
-    for (name, value) in members(&case["variables"]) {
-        assert!(setup.control.set_variable(&name, value.as_f64().unwrap()), "{name}");
-    }
-    let settable = setup.control.settable;
-    setup.control.activate(settable);
-    setup
-}
-
-fn members(value: &Value) -> Map<String, Value> {
-    value.as_object().cloned().unwrap_or_default()
-}
-
-/// Compares everything that the case tells.
-fn expect(name: &str, expected: &Value, outcome: &Outcome) {
-    let stop = expected.get("stop").map(|stop| Stop::Alarm(code(stop)));
-    assert_eq!(outcome.stop, stop, "{name}: {:?}", outcome.diagnostics);
-    if let Some(alarms) = expected["alarms"].as_array() {
-        let alarms: Vec<Code> = alarms.iter().map(code).collect();
-        assert_eq!(outcome.alarms(), alarms, "{name}");
-    }
-    for (datum, value) in members(&expected["data"]) {
-        let found = outcome.control.number(&datum);
-        close(name, &datum, found, value.as_f64().unwrap());
-    }
-    for (datum, value) in members(&expected["written"]) {
-        let found = outcome.written().get(datum.as_str()).copied();
-        close(name, &datum, found.unwrap(), value.as_f64().unwrap());
-    }
-    for (variable, value) in members(&expected["variables"]) {
-        let found = outcome.control.variable(&variable).unwrap_or_default();
-        close(name, &variable, found, value.as_f64().unwrap());
-    }
-    for (frame, origin) in members(&expected["origins"]) {
-        let found = outcome.control.frames[&frame.parse().unwrap()].origin();
-        points(name, "origins", &Value::Array(vec![origin]), &[found]);
-    }
-    points(name, "starts", &expected["starts"], &probings(outcome, |from, _, _| from));
-    points(name, "touches", &expected["touches"], &touches(outcome));
-    points(name, "ends", &expected["ends"], &ends(outcome));
-    if let Some(feed) = expected["feed"].as_f64() {
-        let feeds = probings(outcome, |_, _, feed| feed);
-        assert!(!feeds.is_empty() && feeds.iter().all(|found| *found == feed), "{name}: {feeds:?}");
-    }
-    if let Some(angles) = expected["orientations"].as_array() {
-        let turned = orientations(outcome);
-        assert_eq!(turned.len(), angles.len(), "{name}: {turned:?}");
-        for (found, angle) in turned.iter().zip(angles) {
-            close(name, "orientation", *found, angle.as_f64().unwrap());
-        }
-    }
-}
-
-fn close(name: &str, what: &str, found: f64, expected: f64) {
-    assert!((found - expected).abs() < TOLERANCE, "{name}: {what} is {found}, expected {expected}");
-}
-
-fn points(name: &str, what: &str, expected: &Value, found: &[[f64; 3]]) {
-    let Some(expected) = expected.as_array() else {
-        return;
-    };
-    assert_eq!(found.len(), expected.len(), "{name}: {what} {found:?}");
-    for (found, expected) in found.iter().zip(expected) {
-        for (found, expected) in found.iter().zip(expected.as_array().unwrap()) {
-            close(name, what, *found, expected.as_f64().unwrap());
-        }
-    }
-}
-
-/// Something about every measuring motion, from start, end and feed.
-fn probings<T>(outcome: &Outcome, tell: impl Fn([f64; 3], [f64; 3], f64) -> T) -> Vec<T> {
-    let entries = outcome.trace.entries.to_vec();
-    let steps = entries.iter().map(|entry| &entry.step);
-    steps
-        .filter_map(|step| match step {
-            Step::Motion { kind: MotionKind::Measuring, from, to, feed, .. } => Some(tell(from.0, to.0, *feed)),
-            _ => None,
-        })
-        .collect()
-}
-
-fn touches(outcome: &Outcome) -> Vec<[f64; 3]> {
-    let entries = outcome.trace.entries.to_vec();
-    let steps = entries.iter().map(|entry| &entry.step);
-    steps
-        .filter_map(|step| match step {
-            Step::Touch { latched, .. } => Some(latched.0),
-            _ => None,
-        })
-        .collect()
-}
-
-fn orientations(outcome: &Outcome) -> Vec<f64> {
-    let entries = outcome.trace.entries.to_vec();
-    let steps = entries.iter().map(|entry| &entry.step);
-    steps
-        .filter_map(|step| match step {
-            Step::Orient { angle } => Some(angle.0),
-            _ => None,
-        })
-        .collect()
-}
-
-/// Where the machine stood at the end of every call.
-fn ends(outcome: &Outcome) -> Vec<[f64; 3]> {
-    let mut here = [0.0; 3];
-    let mut ends = Vec::new();
-    for entry in &outcome.trace.entries {
-        match &entry.step {
-            Step::Motion { to, .. } => here = to.0,
-            Step::CallEnd => ends.push(here),
-            _ => {}
-        }
-    }
-    ends
 }

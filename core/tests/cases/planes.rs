@@ -1,15 +1,15 @@
 //! The programs of the manual for NCT in the other planes: program, machine, part and expectation are turned together,
 //! so that X becomes Z, Y becomes X, and Z becomes Y: from G17 to G18, from there to G19, from there to G17.
 
-use super::{dialect, expect, folders, read, setup};
+use super::{holds, scenarios};
 use nalgebra::Rotation3;
+use probewright_core::app::{Expected, Scenario, ScenarioCase, ScenarioText};
 use probewright_core::control::Plane;
 use probewright_core::dialect::Dialect;
 use probewright_core::geometry::{Mcs, rigid};
 use probewright_core::machine::Setup;
-use probewright_core::run::{Limits, run};
-use probewright_core::syntax;
-use serde_json::{Map, Value};
+use probewright_core::setup_file::SetupFile;
+use std::collections::BTreeMap;
 
 /// The letter of an axis, or the function of a plane, after a turn.
 fn letter(one: char) -> char {
@@ -66,48 +66,37 @@ fn machine(setup: &Setup) -> Setup {
 }
 
 /// An expectation: names of work offsets carry the letter of their axis.
-fn expected(value: &Value) -> Value {
-    let mut turned = value.clone();
-    if let Some(variables) = value["variables"].as_object() {
-        let name = |name: &String| match name.split_once(' ') {
-            Some((system, axis)) => {
-                let axis: String = axis.chars().map(letter).collect();
-                format!("{system} {axis}")
-            }
-            None => name.clone(),
-        };
-        let all = variables.iter();
-        let all: Map<String, Value> = all.map(|(key, one)| (name(key), one.clone())).collect();
-        turned["variables"] = all.into();
-    }
-    turned
+fn expected(expected: &Expected) -> Expected {
+    let name = |name: &String| match name.split_once(' ') {
+        Some((system, axis)) => format!("{system} {}", axis.chars().map(letter).collect::<String>()),
+        None => name.clone(),
+    };
+    let turned = |all: &BTreeMap<String, f64>| all.iter().map(|(key, one)| (name(key), *one)).collect();
+    Expected { variables: expected.variables.as_ref().map(turned), ..expected.clone() }
 }
 
 // oracle: the cases themselves, which say where their truth comes from; the planes differ by their axes only (C:472)
 #[test]
 fn programs_of_nct_hold_in_all_planes() {
     let mut count = 0;
-    for folder in folders() {
-        let file = read(&folder);
-        if dialect(&file) != Dialect::Nct {
+    for (name, scenario) in scenarios() {
+        if scenario.setup.control() != Dialect::Nct {
             continue;
         }
-        let source = std::fs::read_to_string(folder.join("program.nc")).unwrap();
-        for case in file["cases"].as_array().unwrap() {
-            let mut source = source.clone();
-            for pair in case["replace"].as_array().into_iter().flatten() {
-                source = source.replace(pair[0].as_str().unwrap(), pair[1].as_str().unwrap());
+        for case in &scenario.cases {
+            let mut source = scenario.program.text.clone().unwrap();
+            for (old, new) in &case.replace {
+                source = source.replace(old, new);
             }
-            let (mut machine_now, mut expectation) = (setup(&file, case), case["expect"].clone());
+            let mut now = scenario.machine(case).unwrap();
+            let mut expect = case.expect.clone();
             for turns in 1..=3 {
-                source = text(&source);
-                machine_now = machine(&machine_now);
-                expectation = expected(&expectation);
-                let program = syntax::read(Dialect::Nct, source.as_bytes());
-                let outcome = run(&program, &machine_now, Limits::default());
-                let name = format!("{} {} {turns}", folder.display(), case["id"]);
-                expect(&name, &expectation, &outcome);
-                count += 1;
+                (source, now, expect) = (text(&source), machine(&now), expected(&expect));
+                let case = ScenarioCase { id: case.id.clone(), expect: expect.clone(), ..ScenarioCase::default() };
+                let program = ScenarioText { text: Some(source.clone()), ..scenario.program.clone() };
+                let setup = SetupFile::from(&now);
+                let turned = Scenario { program, setup, cases: vec![case], ..scenario.clone() };
+                count += holds(&format!("{name} {turns}"), turned);
             }
         }
     }

@@ -7,6 +7,7 @@ mod files;
 mod help;
 mod jog;
 mod programs;
+mod scenarios;
 mod wrong_use;
 
 use std::process::{Command, Output};

@@ -34,6 +34,10 @@ pub struct Seam {
     pub cure: Question,
     /// `RunRequest` → `RunView`.
     pub run: Question,
+    /// `NoteRequest` → `Scenario`.
+    pub note: Question,
+    /// Text of a scenario file → `ScenarioView`.
+    pub scenario: Question,
     /// Text of a setup file → `Setup`.
     pub setup: Question,
     /// Bytes of a file → `Recognised`.
@@ -86,6 +90,11 @@ pub fn beside(seam: &Seam, told: &mut Answers) {
     for control in ["sinumerik", "nct"] {
         let add = json!({ "control": control, "change": { "add": { "table": "tools", "row": "" } } });
         told.insert(format!("equip {control}"), read_value((seam.equip)(&add.to_string())));
+        let run = json!({ "control": control, "text": "G0 X10\nG1 X20 F100\nM30\n" });
+        let noted = (seam.note)(&json!({ "run": run, "name": "part.mpf", "case": "first" }).to_string());
+        let carried_out = noted.clone().and_then(|text| (seam.scenario)(&text));
+        told.insert(format!("note {control}"), read_value(noted));
+        told.insert(format!("scenario {control}"), read_value(carried_out));
     }
     wrong(seam, told);
     bytes(seam, told);
@@ -170,7 +179,7 @@ fn changed(text: &str, change: &Value) -> String {
 /// Questions of the wrong shape, about what is not there, and with numbers that are none: each answer is a sentence or
 /// a document, never a broken module.
 fn wrong(seam: &Seam, told: &mut Answers) {
-    let asked: [(&str, Question); 11] = [
+    let asked: [(&str, Question); 13] = [
         ("form", seam.form),
         ("help", seam.help),
         ("machine", seam.machine),
@@ -181,6 +190,8 @@ fn wrong(seam: &Seam, told: &mut Answers) {
         ("convert", seam.convert),
         ("cure", seam.cure),
         ("run", seam.run),
+        ("note", seam.note),
+        ("scenario", seam.scenario),
         ("setup", seam.setup),
     ];
     let questions = [

@@ -46,6 +46,8 @@ const BROWSER: Seam = Seam {
         while !run.advance(500) {}
         Ok(run.view())
     },
+    note: answered!(web::note),
+    scenario: |text| web::scenario(text, "[]").map_err(sentence),
     setup: answered!(web::setup),
     recognise: |bytes| {
         let mut recogniser = web::Recogniser::new();

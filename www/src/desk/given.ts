@@ -2,8 +2,17 @@
 // whether it is strict.
 
 import { parseNumber } from "../numbers";
-import { type Arguments, besideOf, type Ran, type State } from "../state/state";
-import type { ProgramParameter, ProgramPlace, ReadView } from "../wire";
+import {
+  type Arguments,
+  beginningIn,
+  besideOf,
+  profile,
+  programMachine,
+  programPlane,
+  type Ran,
+  type State,
+} from "../state/state";
+import type { FormView, Machine, ProgramParameter, ProgramPlace, ReadView } from "../wire";
 import { isCurrent } from "./program";
 
 export type Given = Pick<Ran, "with" | "arguments" | "strict" | "program">;
@@ -33,6 +42,12 @@ function argumentsOf(typed: Record<string, string>, parameters: readonly Program
   const made = Object.fromEntries(there.map(({ name }) => [name, worth(typed[name] ?? "")]));
   last = { typed, parameters, made };
   return made;
+}
+
+/** The machine of a run: the opened one, else that of the form. */
+export function machineTo(state: State, view: Pick<FormView, "setup">): Machine | undefined {
+  const opened = profile(state);
+  return opened ?? (view.setup ? beginningIn(view.setup, programPlane(state)) : programMachine(state).setup);
 }
 
 /** `known`: whether the program is read, so that it is clear which parameters it has. */

@@ -7,6 +7,7 @@ import { iconPart } from "../icons";
 import { plain } from "../numbers";
 import type { JogState, State } from "../state/state";
 import { say, t } from "../texts";
+import { unlessTyping } from "../unless-typing";
 import type {
   Message,
   PracticeArea,
@@ -155,7 +156,7 @@ function one(jog: JogState, field: PracticeField, practice: Practice): TemplateR
           type="text"
           inputmode="decimal"
           autocomplete="off"
-          .value=${live(typed ?? plain(Number(value)))}
+          .value=${unlessTyping(typed ?? plain(Number(value)))}
           aria-invalid=${why ? "true" : nothing}
           aria-describedby="${id}-why"
           @change=${enter}

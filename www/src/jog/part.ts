@@ -1,12 +1,12 @@
 // How the part lies: as it should, as somebody says, or as chance has it, which nobody knows until he asks.
 
 import { html, nothing, render, type TemplateResult } from "lit-html";
-import { live } from "lit-html/directives/live.js";
 import type { Practice } from "../desk/practice";
 import { iconPart } from "../icons";
 import { parseNumber, plain } from "../numbers";
 import type { JogState, State } from "../state/state";
 import { t } from "../texts";
+import { unlessTyping } from "../unless-typing";
 import type { PracticeView } from "../wire";
 import { figureText } from "./figures";
 
@@ -39,7 +39,7 @@ export function createPart(root: HTMLElement, practice: Practice): (state: State
           min=${-reach}
           max=${reach}
           step=${step}
-          .value=${live(String(value))}
+          .value=${unlessTyping(String(value))}
           @change=${lay}
         />
         <input
@@ -47,7 +47,7 @@ export function createPart(root: HTMLElement, practice: Practice): (state: State
           inputmode="decimal"
           class="figure"
           aria-label=${`${words} (${t(`unit-${unit}`)})`}
-          .value=${live(plain(value, 3))}
+          .value=${unlessTyping(plain(value, 3))}
           @change=${lay}
         />
         <span class="unit">${t(`unit-${unit}`)}</span>

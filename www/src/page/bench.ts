@@ -37,6 +37,7 @@ import type { Modules } from "./modules";
 import type { Open } from "./open";
 import { createPracticePlace } from "./practice";
 import { railButton } from "./rail";
+import { createScenariosWay } from "./scenarios";
 import { listenToKeys } from "./shortcuts";
 import { createStartPlace } from "./start";
 import { showKeys } from "./tips";
@@ -120,6 +121,7 @@ export function createBench(parts: Parts): Bench {
   showKeys(stop.signal);
   let shown: { state: State; derived: Derived } | null = null;
   const setupFile = createSetupFile(open.setup);
+  const scenarios = createScenariosWay(parts.modules, () => shown, stop.signal);
   const commands = commandsOf(store, actions, {
     save: program.save,
     open: program.open,
@@ -130,6 +132,7 @@ export function createBench(parts: Parts): Bench {
     exportSetup: () => exportSetup(store, shown?.derived.view.setup),
     paper: which => void later()?.paper(which),
     practise: practice.go,
+    scenarios: scenarios.open,
   });
   const later = behind(
     pieces => {
@@ -180,7 +183,18 @@ export function createBench(parts: Parts): Bench {
   on(machine, "click", () => later()?.equipment.open());
   layout.rail.querySelector('[data-panel-button="help"]')?.before(machine);
   const views = [
-    createHeader(layout.header, store, actions, setupFile, core, later, keys, program, practice.go, stop.signal),
+    createHeader(
+      layout.header,
+      store,
+      actions,
+      setupFile,
+      core,
+      later,
+      keys,
+      program,
+      { practise: practice.go, scenarios },
+      stop.signal,
+    ),
     start.drawButton,
     coach.draw,
     createTasks(panels.tasks, store, actions, found),

@@ -26,6 +26,7 @@ export interface Does {
   exportSetup(): void;
   paper(which: Paper): void;
   practise(): void;
+  scenarios(): void;
 }
 
 const STYLES: Style[] = ["direct", "indirect", "operate"];
@@ -117,6 +118,7 @@ function ofView(store: Store, actions: Actions, does: Does, { view, page, snippe
     { id: "machine-data", title: t("machine-data-title"), run: does.machineData },
     { id: "twin", title: t("twin-open"), run: () => store.update({ snippet: { twin: !snippet.twin } }) },
     { id: "link", title: t("link-copy"), run: () => void copyLink(store) },
+    { id: "scenarios", title: t("scenarios-open"), run: does.scenarios },
     { id: "print-sheet", title: t("print-sheet"), run: () => does.paper("sheet") },
     { id: "print-report", title: t("print-report"), run: () => does.paper("report") },
     { id: "print", title: t("command-print"), key: "Ctrl+P", run: () => print() },

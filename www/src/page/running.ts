@@ -3,9 +3,9 @@
 import { type Answered, type Aside, isGiant } from "../core/aside";
 import { type Columns, courseOf, stepsOf } from "../core/steps";
 import type { Derived } from "../desk/derive";
-import { type Given, givenTo } from "../desk/given";
+import { type Given, givenTo, machineTo } from "../desk/given";
 import { isCurrent, isOfNow } from "../desk/program";
-import { beginningIn, patched, profile, programMachine, programPlane, type Ran, type State } from "../state/state";
+import { patched, type Ran, type State } from "../state/state";
 import type { RunView } from "../wire";
 import type { Work } from "./activities";
 
@@ -18,8 +18,7 @@ export function askRun({ runner, reader }: Work, state: State, { view, program: 
     runner.stop();
     return;
   }
-  const opened = profile(state);
-  const setup = opened ?? (view.setup ? beginningIn(view.setup, programPlane(state)) : programMachine(state).setup);
+  const setup = machineTo(state, view);
   const { errors: times } = state.view;
   const { known: isKnown, ...given } = givenTo(state);
   if (!isKnown) return; // what the program is given depends on what it holds

@@ -13,6 +13,7 @@ import { plain } from "../numbers";
 import { profile, programMachine, type State } from "../state/state";
 import type { Store } from "../state/store";
 import { optional, say, t } from "../texts";
+import { unlessTyping } from "../unless-typing";
 import type {
   EquipmentCell,
   EquipmentChange,
@@ -164,7 +165,7 @@ export function createEquipment(
             aria-label=${label}
             aria-invalid=${bad ? "true" : nothing}
             aria-describedby=${`${id}-why`}
-            .value=${live(value)}
+            .value=${unlessTyping(value)}
             @change=${taken}
           />`;
     return html`${entry}<span class="datum-problem" id=${`${id}-why`} role="alert" ?hidden=${!bad}

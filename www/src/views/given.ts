@@ -10,6 +10,7 @@ import type { Derived } from "../desk/derive";
 import { chosenIn, parametersIn } from "../desk/given";
 import type { State } from "../state/state";
 import { listed, t } from "../texts";
+import { unlessTyping } from "../unless-typing";
 import type { FileStart, MachineValue, ProgramPlace } from "../wire";
 
 /** The ways from what a run lacks to where it is given. */
@@ -50,7 +51,7 @@ export function createGiven(
         autocomplete="off"
         spellcheck="false"
         placeholder=${optional ? t("choice-default") : ""}
-        .value=${live(typed)}
+        .value=${unlessTyping(typed)}
         @change=${taken}
       />
     </div>`;

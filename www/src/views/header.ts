@@ -10,6 +10,7 @@ import { ariaKey } from "../keys";
 import { nameOf } from "../language";
 import { pack } from "../link";
 import { plain } from "../numbers";
+import type { Scenarios } from "../scenarios/scenarios";
 import { beginning, INCH, type Panel, profile, type State } from "../state/state";
 import type { Store } from "../state/store";
 import { shared } from "../state/stored";
@@ -110,10 +111,10 @@ export function createHeader(
   } | null,
   keys: HTMLDialogElement,
   files: FileActions,
-  practise: () => void,
+  ways: { practise(): void; scenarios: Scenarios },
   end: AbortSignal,
 ): (state: State, derived: Derived) => void {
-  const about = createAbout();
+  const about = createAbout(ways.scenarios.check);
   const machine = createMachine(actions);
   const profiles = createProfile(store, actions, setupFile, () => later()?.equipment ?? null);
   const history = createHistory(actions);
@@ -132,7 +133,7 @@ export function createHeader(
   const keysOpen = entry("keys", "keys-title", () => keys.showModal());
   setAttribute(keysOpen, "title", t("keys-title"));
   setAttribute(keysOpen, "aria-keyshortcuts", ariaKey("page", "keys"));
-  const practice = entry("hand", "practice-title", practise);
+  const practice = entry("hand", "practice-title", ways.practise);
   const openMachine = (): void => {
     menu.list.hidePopover(); // first: its button has the focus back when the machine's closes
     chip.list.showPopover();
@@ -149,6 +150,7 @@ export function createHeader(
       entry("copy", "link-copy", () => void copyLink(store)),
       entry("print", "print-sheet", () => void later()?.paper("sheet")),
       entry("print", "print-report", () => void later()?.paper("report")),
+      entry("good", "scenarios-open", ways.scenarios.open),
       entry("info", "about-open", () => about.showModal()),
     ],
     [icon("menu")],

@@ -10,6 +10,7 @@ import { plain } from "../numbers";
 import { machine } from "../state/state";
 import type { Store } from "../state/store";
 import { optional, say, t } from "../texts";
+import { unlessTyping } from "../unless-typing";
 import type { BasicSystem, MachineField, MachineGroup, MachineRequest, MachineView } from "../wire";
 import { copyText } from "./copy";
 import { rangeText } from "./field";
@@ -251,7 +252,7 @@ function datumRow(datum: MachineField, value: string, problem: string, edit: (va
           placeholder=${datum.fallback}
           aria-describedby=${about}
           aria-invalid=${wrong}
-          .value=${live(value)}
+          .value=${unlessTyping(value)}
           @change=${taken}
         />`;
   return html`<div class=${`datum kind-${datum.kind}${differs(datum) ? " changed" : ""}`}>

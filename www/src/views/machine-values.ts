@@ -1,13 +1,13 @@
 // Values that only the machine has and that a program reads: assumed, or typed once and used from then on.
 
 import { html, nothing, type TemplateResult } from "lit-html";
-import { live } from "lit-html/directives/live.js";
 import { repeat } from "lit-html/directives/repeat.js";
 import type { Actions } from "../desk/actions";
 import { parseNumber } from "../numbers";
 import { ownMachine, profile, type State } from "../state/state";
 import type { Store } from "../state/store";
 import { t } from "../texts";
+import { unlessTyping } from "../unless-typing";
 import type { MachineValue } from "../wire";
 import { lineText } from "./given";
 
@@ -73,7 +73,7 @@ export function createMachineValues(store: Store, actions: Actions, redraw: () =
           autocomplete="off"
           spellcheck="false"
           placeholder=${String(row.assumed ?? "")}
-          .value=${live(String(row.typed ?? ""))}
+          .value=${unlessTyping(String(row.typed ?? ""))}
           @change=${(event: Event) => taken(row, event)}
         />
       </td>

@@ -48,14 +48,18 @@ pub fn wrong_file(path: &Path, message: Message) -> Problem {
 
 /// Tells a problem on standard error; where that is closed, nobody can be told.
 pub fn complain_about(problem: &Problem, words: &Words) {
-    let text = match problem.downcast_ref::<Told>() {
+    complain(&format!("{}: {}", words.key("terminal-error"), told(problem, words)));
+}
+
+/// A problem in words.
+pub fn told(problem: &Problem, words: &Words) -> String {
+    match problem.downcast_ref::<Told>() {
         Some(Told { path, message }) => {
             let file = path.as_ref().map_or(String::new(), |path| format!("{}: ", path.display()));
             file + &words.text(message)
         }
         None => problem.to_string(),
-    };
-    complain(&format!("{}: {text}", words.key("terminal-error")));
+    }
 }
 
 /// Largest file that is read, bytes; a device like /dev/zero never ends.
@@ -121,6 +125,25 @@ pub fn complain(line: &str) {
     drop(writeln!(std::io::stderr(), "{line}"));
 }
 
+/// Every file below a folder, sorted; the error names the folder that cannot be read.
+pub fn below(folder: &Path) -> Result<Vec<PathBuf>, Problem> {
+    let (mut folders, mut files) = (vec![folder.to_owned()], Vec::new());
+    while let Some(folder) = folders.pop() {
+        let wrong = |error: std::io::Error| format!("{}: {error}", folder.display());
+        for entry in std::fs::read_dir(&folder).map_err(wrong)? {
+            let entry = entry.map_err(wrong)?;
+            let kind = entry.file_type().map_err(wrong)?;
+            match kind {
+                _ if kind.is_dir() => folders.push(entry.path()),
+                _ if kind.is_file() => files.push(entry.path()),
+                _ => {} // a link may lead back
+            }
+        }
+    }
+    files.sort();
+    Ok(files)
+}
+
 /// Text of a file; the error names the file.
 pub fn text(path: &Path) -> Result<String, Problem> {
     let text = String::from_utf8(bytes(path)?).map_err(|_| wrong_file(path, Message::new("terminal-text")))?;
@@ -139,8 +162,13 @@ pub fn setup(path: &Path, as_json: bool, words: &Words, out: &mut dyn Write) -> 
         print_json(serde_json::json!({ "file": file, "refused": refused }), words, out)?;
         out.flush()?;
     }
+    Err(refusal(path, &refused, words).into())
+}
+
+/// Why a file is refused, behind its name and the place in it.
+pub fn refusal(path: &Path, refused: &json::Error, words: &Words) -> String {
     let place = refused.position.map_or(String::new(), |(line, column)| format!("{line}:{column}:"));
-    Err(format!("{}:{place} {}", path.display(), words.text(&refused.message)).into())
+    format!("{}:{place} {}", path.display(), words.text(&refused.message))
 }
 
 /// The control that was asked for, else the one that the program is written for.

@@ -28,21 +28,8 @@ fn every(program: &Path, with: &[PathBuf]) -> Result<Vec<PathBuf>, Problem> {
             found.push(path.clone());
             continue;
         }
-        let (mut folders, mut files) = (vec![path.clone()], Vec::new());
-        while let Some(folder) = folders.pop() {
-            let wrong = |error: std::io::Error| format!("{}: {error}", folder.display());
-            for entry in std::fs::read_dir(&folder).map_err(wrong)? {
-                let entry = entry.map_err(wrong)?;
-                let kind = entry.file_type().map_err(wrong)?;
-                match kind {
-                    _ if kind.is_dir() => folders.push(entry.path()),
-                    _ if kind.is_file() => files.push(entry.path()),
-                    _ => {} // a link may lead back
-                }
-            }
-        }
+        let mut files = file::below(path)?;
         files.retain(|path| is_program(path) && !same(path));
-        files.sort();
         found.extend(files);
     }
     Ok(found)

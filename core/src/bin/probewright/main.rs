@@ -15,6 +15,7 @@ mod read;
 mod run;
 mod scan;
 mod stream;
+mod test;
 mod write;
 
 use clap::{Parser, Subcommand};
@@ -53,6 +54,7 @@ enum Command {
     Write(write::Arguments),
     Read(read::Arguments),
     Run(Box<run::Arguments>),
+    Test(test::Arguments),
     Jog(jog::Arguments),
 }
 
@@ -100,6 +102,7 @@ fn run_command(command: Command, words: &Words, out: &mut dyn Write) -> Result<E
         Command::Write(asked) => write::write(&asked, words, out),
         Command::Read(asked) => read::read(&asked, words, out),
         Command::Run(asked) => run::run(&asked, words, out),
+        Command::Test(asked) => test::test(&asked, words, out),
         Command::Jog(asked) => jog::jog(&asked, words, out),
     }
 }

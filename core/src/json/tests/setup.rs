@@ -158,13 +158,18 @@ fn an_error_of_a_setup_names_the_member_and_its_place() {
     }
 }
 
-// oracle: self. With PROBEWRIGHT_UPDATE=1 the file is written instead.
+// oracle: self. With PROBEWRIGHT_UPDATE=1 the files are written instead.
 #[cfg(feature = "cli")]
 #[test]
-fn the_schema_in_docs_is_the_one_of_the_code() {
-    let schema = format!("{}\n", serde_json::to_string_pretty(&crate::setup_file::schema()).unwrap());
-    if std::env::var_os("PROBEWRIGHT_UPDATE").is_some() {
-        std::fs::write(docs("setup.schema.json"), &schema).unwrap();
+fn the_schemas_in_docs_are_those_of_the_code() {
+    use crate::setup_file::{SetupFile, schema};
+    for (name, schema) in
+        [("setup.schema.json", schema::<SetupFile>()), ("scenario.schema.json", schema::<crate::app::Scenario>())]
+    {
+        let schema = format!("{}\n", serde_json::to_string_pretty(&schema).unwrap());
+        if std::env::var_os("PROBEWRIGHT_UPDATE").is_some() {
+            std::fs::write(docs(name), &schema).unwrap();
+        }
+        assert_eq!(std::fs::read_to_string(docs(name)).unwrap(), schema);
     }
-    assert_eq!(std::fs::read_to_string(docs("setup.schema.json")).unwrap(), schema);
 }

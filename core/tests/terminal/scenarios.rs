@@ -1,0 +1,77 @@
+//! `probewright test`.
+
+use super::{HOLE, err, example_setup, file, out, probewright};
+use probewright_core::app::{NoteRequest, noted};
+use probewright_core::json::question;
+
+/// The measured hole of the readme, with what comes of it; written into docs/ with PROBEWRIGHT_UPDATE=1.
+fn example() -> String {
+    let setup: serde_json::Value = serde_json::from_str(&std::fs::read_to_string(example_setup()).unwrap()).unwrap();
+    let run = serde_json::json!({ "control": "sinumerik", "text": HOLE, "setup": setup });
+    let request = serde_json::json!({ "run": run, "name": "hole.mpf", "case": "0.03 mm too big" });
+    let asked: NoteRequest = question(&request.to_string()).unwrap();
+    serde_json::to_string_pretty(&noted(asked).unwrap()).unwrap() + "\n"
+}
+
+// oracle: self, hand (the radius of T20 D1 is 0.015 mm more)
+#[test]
+fn the_example_in_docs_holds() {
+    let path = format!("{}/../docs/hole.scenario.json", env!("CARGO_MANIFEST_DIR"));
+    if std::env::var_os("PROBEWRIGHT_UPDATE").is_some() {
+        std::fs::write(&path, example()).unwrap();
+    }
+    assert_eq!(std::fs::read_to_string(&path).unwrap(), example());
+    let output = probewright(&["test", &path]);
+    assert!(output.status.success(), "{}", err(&output));
+    assert_eq!(out(&output), format!("ok  {path}: 0.03 mm too big\nPassed: 1 of 1\n"));
+
+    let other = file("other.scenario.json", example().replace("132.03", "132.04").as_bytes());
+    let output = probewright(&["test", &other, "--lang=de"]);
+    assert_eq!(output.status.code(), Some(1));
+    let told = out(&output);
+    assert!(told.contains("_OVR[4] = 132.03. Erwartet: 132.04.\nBestanden: 0 von 1\n"), "{told}");
+}
+
+// oracle: hand
+#[test]
+fn a_folder_is_carried_out_whole_and_told_to_other_tools() {
+    let cases = format!("{}/../tests/cases", env!("CARGO_MANIFEST_DIR"));
+    let junit = file("result.xml", b"");
+    let output = probewright(&["test", &cases, "--junit", &junit]);
+    let told = out(&output);
+    let count = told.lines().filter(|line| line.starts_with("ok  ")).count();
+    assert!(output.status.success() && count >= 119, "{told}{}", err(&output));
+    assert!(told.ends_with(&format!("Passed: {count} of {count}\n")), "{told}");
+    let report = std::fs::read_to_string(junit).unwrap();
+    assert_eq!(report.matches("<testcase ").count(), count);
+    assert!(!report.contains("<failure"));
+}
+
+// oracle: hand
+#[test]
+fn what_is_no_scenario_is_told_with_its_place() {
+    for (text, told) in [
+        ("{\n \"program\": 1 }", ":2:13: program: expected an object"),
+        ("{\n \"progam\": 1 }", ":2:12: "),
+        (r#"{"program":{"name":"a.nc"},"setup":{"control":"nct","probe":{}},"cases":[]}"#, ":1:61: setup.probe.radius"),
+        (
+            r#"{"program":{"name":"a.nc"},"setup":{"control":"nct","probe":{"radius":3,"length":50}},"cases":[]}"#,
+            "a.nc: ",
+        ),
+        ("[", "ends"),
+    ] {
+        let wrong = file("wrong.scenario.json", text.as_bytes());
+        let junit = file("wrong.xml", b"");
+        let output = probewright(&["test", &wrong, "--junit", &junit]);
+        let line = out(&output);
+        assert_eq!(output.status.code(), Some(1), "{text}: {line}{}", err(&output));
+        assert!(line.starts_with("FAILED  ") && line.contains(told), "{text}: {line}");
+        assert!(line.ends_with("Passed: 0 of 1\n"), "{line}");
+        assert!(std::fs::read_to_string(junit).unwrap().contains("<failure message="));
+    }
+    let empty = std::env::temp_dir().join(format!("probewright-none-{}", std::process::id()));
+    std::fs::create_dir_all(&empty).unwrap();
+    let output = probewright(&["test", empty.to_str().unwrap()]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(err(&output).contains("no scenario.json"), "{}", err(&output));
+}

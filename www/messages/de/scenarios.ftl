@@ -1,0 +1,14 @@
+# Szenarien: Programme, mit dem erwarteten Ergebnis verglichen.
+
+scenarios-title = Szenarien
+scenarios-what = Ein Szenario enthält ein Programm, seine Maschine und das erwartete Ergebnis: Ergebnisse jedes Aufrufs, Korrekturen, Alarme, Protokoll. Nach jeder Änderung lässt es sich wieder ausführen. „Installation prüfen“ rechnet die Beispiele der Handbücher in diesem Browser nach.
+scenarios-note = Programm als Szenario speichern
+scenarios-open-files = Szenarien ausführen …
+scenarios-open-folder = Ordner ausführen …
+scenarios-none = Unter diesen Dateien ist kein Szenario: In einem Ordner enden ihre Namen auf scenario.json.
+scenarios-passed = Bestanden: { $good } von { $count }
+scenarios-done = Ausgeführte Szenarien: { $done } von { $scenarios }
+scenarios-time = Zeit: { $seconds } s
+scenarios-stop = Anhalten
+scenarios-good = bestanden
+scenarios-bad = nicht bestanden

@@ -1,0 +1,14 @@
+# Scenarios: programs held against the expected outcome.
+
+scenarios-title = Scenarios
+scenarios-what = A scenario holds a program, its machine and the expected outcome: results of each call, corrections, alarms, log. Run them again after every change. “Check this installation” runs the worked examples of the manuals in this browser.
+scenarios-note = Save program as scenario
+scenarios-open-files = Run scenarios …
+scenarios-open-folder = Run folder …
+scenarios-none = There is no scenario among these files: in a folder, their names end in scenario.json.
+scenarios-passed = Passed: { $good } of { $count }
+scenarios-done = Scenarios run: { $done } of { $scenarios }
+scenarios-time = Time: { $seconds } s
+scenarios-stop = Stop
+scenarios-good = passed
+scenarios-bad = failed

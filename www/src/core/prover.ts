@@ -1,0 +1,22 @@
+// The core on a thread of its own, for scenarios: first comes the compiled module, then questions, each with an answer.
+
+import { initSync, note, scenario } from "@pkg/program/program.js";
+import type { Beside, NoteRequest } from "../wire";
+
+/** A scenario file with the files that it names, or a run of which one is made. */
+export type Proof = { text: string; beside: readonly Beside[] } | { note: NoteRequest };
+export type Proved = { json: string } | { problem: string };
+
+function answer(proof: Proof): Proved {
+  try {
+    if ("note" in proof) return { json: note(JSON.stringify(proof.note)) };
+    return { json: scenario(proof.text, JSON.stringify(proof.beside)) };
+  } catch (problem) {
+    return { problem: problem instanceof Error ? problem.message : String(problem) };
+  }
+}
+
+addEventListener("message", ({ data }: MessageEvent<WebAssembly.Module | Proof>) => {
+  if (data instanceof WebAssembly.Module) initSync({ module: data });
+  else postMessage(answer(data));
+});

@@ -1,0 +1,56 @@
+// Scenarios among files that were picked, and the files that they name.
+
+import type { ProgramCore } from "../core/program";
+import { createJob } from "../pace";
+import { readProgram } from "../state/files";
+import type { Beside, Scenario, ScenarioText } from "../wire";
+
+/** A scenario; what it needs is read when its turn comes. */
+export interface Found {
+  name: string;
+  text(): Promise<string>;
+  /** The files that a text names. */
+  beside(text: string): Promise<Beside[]>;
+}
+
+const isScenario = (name: string): boolean => /(^|\.)scenario\.json$/i.test(name);
+const isJson = (name: string): boolean => /\.json$/i.test(name);
+
+const pathOf = (file: File): string => file.webkitRelativePath || file.name;
+const folderOf = (file: File): string => pathOf(file).slice(0, -file.name.length);
+
+/** Names of files that a scenario has no text of; none: it is no scenario, which the core tells. */
+function named(text: string): string[] {
+  try {
+    const { program, with: others = [] } = JSON.parse(text) as Scenario;
+    return [program, ...others].filter(({ text }: ScenarioText) => text === undefined).map(({ name }) => name);
+  } catch {
+    return [];
+  }
+}
+
+/** A program as text, whatever its encoding; none: it is not there, or no program. */
+async function program(file: File | undefined, core: ProgramCore): Promise<string | null> {
+  if (!file) return null;
+  let text: string | null = null;
+  await createJob(() => undefined).start(file.size, async pace => {
+    const read = await readProgram(file, core, pace);
+    if ("text" in read) text = read.text;
+  });
+  return text;
+}
+
+/** Of a folder its scenarios; of single files each that could be one. */
+export function scenariosIn(files: readonly File[], core: ProgramCore): Found[] {
+  const wanted = files.some(file => file.webkitRelativePath) ? isScenario : isJson;
+  const found = files.filter(file => wanted(file.name)).sort((a, b) => pathOf(a).localeCompare(pathOf(b)));
+  return found.map(file => ({
+    name: pathOf(file),
+    text: () => file.text(),
+    async beside(text) {
+      const near = (name: string) => files.find(one => one.name === name && folderOf(one) === folderOf(file));
+      const read = named(text).map(async name => ({ name, text: await program(near(name), core) }));
+      return (await Promise.all(read)).filter((one): one is Beside => one.text !== null);
+    },
+  }));
+}

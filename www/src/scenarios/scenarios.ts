@@ -1,0 +1,181 @@
+// Scenarios: programs held against what must come of them. One is made of the program that is open, files and folders
+// of them are carried out, and the built-in ones prove the installation.
+
+import "../styles/scenarios.css";
+import { html, nothing, render, type TemplateResult } from "lit-html";
+import type { ProgramCore } from "../core/program";
+import { createProver } from "../core/proving";
+import type { Derived } from "../desk/derive";
+import { givenTo, machineTo } from "../desk/given";
+import { el } from "../dom";
+import { iconPart } from "../icons";
+import { fileOf, saveFile } from "../state/files";
+import type { State } from "../state/state";
+import { say, sayProblem, t } from "../texts";
+import type { CaseView, NoteRequest, Scenario, ScenarioView } from "../wire";
+import { type Found, scenariosIn } from "./files";
+
+/** What came of a scenario, or why nothing did. */
+type Came = { name: string } & (ScenarioView | { why: string });
+
+/** What is carried out: `count` scenarios, since when, until when (ms). */
+interface Series {
+  count: number;
+  since: number;
+  until: number | null;
+  came: Came[];
+}
+
+const casesOf = (came: Came): readonly CaseView[] => ("cases" in came ? came.cases : []);
+const holds = ({ differences }: CaseView): boolean => differences.length === 0;
+const good = (came: Came): boolean => "cases" in came && came.cases.every(holds);
+
+export interface Scenarios {
+  open(): void;
+  /** The worked measurements of the manuals in this browser. */
+  check(): void;
+}
+
+export function createScenarios(
+  core: ProgramCore,
+  shown: () => { state: State; derived: Derived } | null,
+  end: AbortSignal,
+): Scenarios {
+  const dialog = el("dialog", { class: "scenarios", "aria-labelledby": "scenarios-title" });
+  const picker = el("input", { type: "file", multiple: true, hidden: true });
+  const folder = el("input", { type: "file", webkitdirectory: true, hidden: true });
+  const body = el("div", { class: "scenarios-body" });
+  dialog.append(body, picker, folder);
+  document.body.append(dialog);
+  const prover = createProver(core.module);
+  let series: Series | null = null;
+  let problem = "";
+
+  const stop = (): void => {
+    prover.stop();
+    if (series?.until === null) series.until = performance.now();
+    draw();
+  };
+  const one = async ({ name, text, beside }: Found): Promise<Came> => {
+    const read = await text();
+    const proved = await prover.ask({ text: read, beside: await beside(read) });
+    if ("problem" in proved) return { name, why: sayProblem(proved.problem) };
+    return { name, ...(JSON.parse(proved.json) as ScenarioView) };
+  };
+  const carryOut = async (found: readonly Found[]): Promise<void> => {
+    stop();
+    const own: Series = { count: found.length, since: performance.now(), until: null, came: [] };
+    series = own;
+    problem = found.length ? "" : t("scenarios-none");
+    draw();
+    for (const next of found) {
+      const came = await one(next);
+      if (own.until !== null) return; // stopped
+      own.came.push(came);
+      draw();
+    }
+    own.until = performance.now();
+    draw();
+  };
+  const check = async (): Promise<void> => carryOut((await import("./built-in")).builtIn());
+  const note = async (): Promise<void> => {
+    const now = shown();
+    if (!now) return;
+    stop();
+    const { state, derived } = now;
+    const { known: _, ...given } = givenTo(state);
+    const { name } = fileOf(state);
+    const setup = machineTo(state, derived.view);
+    const run = { control: state.form.control, text: derived.program, ...(setup ? { setup } : {}), ...given };
+    const proved = await prover.ask({ note: { run, name, case: name } satisfies NoteRequest });
+    if ("problem" in proved) problem = sayProblem(proved.problem);
+    else {
+      const scenario = JSON.stringify(JSON.parse(proved.json) as Scenario, null, 2);
+      saveFile(`${scenario}\n`, `${name.replace(/\.[^.]*$/, "")}.scenario.json`, "application/json");
+      problem = "";
+    }
+    draw();
+  };
+  const picked = (from: HTMLInputElement) => (): void => {
+    const files = [...(from.files ?? [])];
+    from.value = "";
+    if (files.length) void carryOut(scenariosIn(files, core));
+  };
+  picker.addEventListener("change", picked(picker));
+  folder.addEventListener("change", picked(folder));
+  dialog.addEventListener("close", stop);
+  end.addEventListener("abort", prover.stop);
+
+  const button = (key: string, icon: Parameters<typeof iconPart>[0], run: () => void, off = false): TemplateResult =>
+    html`<button type="button" ?disabled=${off} @click=${run}>${iconPart(icon)}<span>${t(key)}</span></button>`;
+  function draw(): void {
+    const empty = !shown()?.derived.program.trim();
+    render(
+      html`<h2 id="scenarios-title">${t("scenarios-title")}</h2>
+        <p>${t("scenarios-what")}</p>
+        <div class="scenarios-ways">
+          ${button("scenarios-note", "save", () => void note(), empty)}
+          ${button("scenarios-open-files", "open", () => picker.click())}
+          ${button("scenarios-open-folder", "open", () => folder.click())}
+          ${button("scenarios-check", "good", () => void check())}
+        </div>
+        <p role="alert" ?hidden=${problem === ""}>${problem}</p>
+        ${series ? outcome(series, stop) : nothing}
+        <div class="actions">
+          <button type="button" class="primary" @click=${() => dialog.close()}>${t("about-close")}</button>
+        </div>`,
+      body,
+    );
+  }
+  const open = (): void => {
+    draw();
+    if (!dialog.open) dialog.showModal();
+  };
+  return {
+    open,
+    check() {
+      open();
+      void check();
+    },
+  };
+}
+
+/** How many cases hold, and each scenario; what differs stands first. */
+function outcome({ count, since, until, came }: Series, stop: () => void): TemplateResult {
+  const all = came.flatMap(casesOf);
+  const refused = came.filter(one => "why" in one).length;
+  const seconds = ((until ?? performance.now()) - since) / 1000;
+  const told = { good: all.filter(holds).length, count: all.length + refused, scenarios: count, done: came.length };
+  const ordered = [...came.filter(one => !good(one)), ...came.filter(good)];
+  return html`<div class="scenarios-outcome" role="status">
+      <strong>${t("scenarios-passed", told)}</strong>
+      ${until === null ? t("scenarios-done", told) : t("scenarios-time", { seconds: Math.round(10 * seconds) / 10 })}
+    </div>
+    ${
+      until === null
+        ? html`<progress max=${count} value=${came.length} aria-label=${t("scenarios-done", told)}></progress>
+          <button type="button" @click=${stop}>${t("scenarios-stop")}</button>`
+        : nothing
+    }
+    <ul class="scenarios-list" tabindex="0" aria-label=${t("scenarios-title")}>${ordered.map(row)}</ul>`;
+}
+
+function row(came: Came): TemplateResult {
+  const fine = good(came);
+  const cases = casesOf(came);
+  const { length } = cases.filter(holds);
+  return html`<li data-good=${fine}>
+    ${iconPart(fine ? "good" : "error")}
+    <span class="visually-hidden">${t(fine ? "scenarios-good" : "scenarios-bad")}</span>
+    <span class="scenario-name">${came.name}</span>
+    <span class="meta">${"why" in came ? nothing : `${length}/${cases.length}`}</span>
+    <span class="meta scenario-source">${"source" in came ? came.source : nothing}</span>
+    ${"why" in came ? html`<p>${came.why}</p>` : cases.filter(one => !holds(one)).map(differing)}
+  </li>`;
+}
+
+const differing = ({ id, differences }: CaseView): TemplateResult =>
+  html`<p><strong>${id}</strong></p>
+    <ul>
+      ${differences.map(one => html`<li>${say(one)}</li>`)}
+    </ul>`;
