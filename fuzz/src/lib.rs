@@ -13,6 +13,7 @@ use probewright_core::program::{arrivals, change, convert, findings_of};
 use probewright_core::run::{Limits, Outcome, run as simulate};
 use probewright_core::syntax::{Program, read as parse};
 use probewright_core::workpiece::{Shape, Solid};
+use std::sync::LazyLock;
 
 const DIALECTS: [Dialect; 2] = [Dialect::Sinumerik, Dialect::Nct];
 const STYLES: [Style; 3] = [Style::Direct, Style::Indirect, Style::Operate];
@@ -96,8 +97,8 @@ fn converted(program: &Program, index: usize, die: &mut Die) {
 /// panic, ends within the limits and drives to numbers.
 pub fn run(bytes: &[u8], extent: Extent) {
     let limits = Limits { steps: Some(500), depth: 4, trace: 250, own: 250, ..Limits::default() };
-    for setup in Die::new(extent, bytes).of(MACHINES.to_vec()).into_iter().map(|machine| machine()) {
-        let outcome = simulate(&parse(setup.control.dialect, bytes), &setup, limits);
+    for setup in Die::new(extent, bytes).of(MACHINES.iter().collect()) {
+        let outcome = simulate(&parse(setup.control.dialect, bytes), setup, limits);
         assert!(outcome.trace.entries.len() <= limits.trace + limits.own);
         assert!(numbers(&outcome), "a position that is no number");
     }
@@ -115,12 +116,14 @@ fn numbers(outcome: &Outcome) -> bool {
         })
 }
 
-/// A mill of each control and a lathe, with a calibrated probe and a tool that cuts.
-const MACHINES: [fn() -> Setup; 3] = [
-    || with_cutter(Setup::calibrated(Dialect::Sinumerik, Plane::G17), 120, 10.0),
-    || with_cutter(Setup::calibrated(Dialect::Nct, Plane::G17), 120, 10.0),
-    || with_cutter(Setup::turning(Plane::G18), 500, 0.8),
-];
+/// A mill of each control and a lathe, with a calibrated probe and a tool that cuts; made once.
+static MACHINES: LazyLock<[Setup; 3]> = LazyLock::new(|| {
+    [
+        with_cutter(Setup::calibrated(Dialect::Sinumerik, Plane::G17), 120, 10.0),
+        with_cutter(Setup::calibrated(Dialect::Nct, Plane::G17), 120, 10.0),
+        with_cutter(Setup::turning(Plane::G18), 500, 0.8),
+    ]
+});
 
 fn with_cutter(mut setup: Setup, kind: i64, radius: f64) -> Setup {
     setup.workpiece.solids.push(Solid::new(Shape::Block { size: [100.0, 100.0, 50.0] }, Mcs::default()));

@@ -3,11 +3,13 @@ import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { modules } from "./sources.mjs";
 
-let sources, desk, state, stored, typing;
+let sources, desk, state, stored, typing, history;
 before(async () => {
   sources = await modules();
-  [desk, state, stored, typing] = await Promise.all(
-    ["desk/desk", "state/state", "state/stored", "desk/typing"].map(name => sources.load(`/src/${name}.ts`)),
+  [desk, state, stored, typing, history] = await Promise.all(
+    ["desk/desk", "state/state", "state/stored", "desk/typing", "state/history"].map(name =>
+      sources.load(`/src/${name}.ts`),
+    ),
   );
 });
 after(() => sources.close());
@@ -152,6 +154,19 @@ describe("a state", () => {
     assert.equal(desk.next(astray, none).desk.converting, null);
   });
 
+  test("gives the machine what a program lacks before anything else is asked", () => {
+    const giving = { change: { give: "tools" }, told: { key: "offer-tools", args: {} } };
+    const unread = read({ program: { reading: null }, desk: { giving } });
+    const { is, question } = desk.standing(unread);
+    assert.deepEqual([is, question.ask, question.text, question.change], ["giving", "equip", TEXT, giving.change]);
+    const setup = { control: "sinumerik", name: "MILL", workpiece: [] };
+    const known = state.patched(unread, { machine: { setups: { sinumerik: { ...setup, tools: {} } } } });
+    const next = desk.next(known, () => ({ setup, tables: [] }), { applicate: {} });
+    assert.deepEqual([next.machine.setups.sinumerik, next.machine.told], [setup, giving.told]);
+    assert.deepEqual([next.desk.giving, next.page.notice, next.page.offer], [null, "notice-given", true]);
+    assert.equal(desk.standing(next).is, "unread");
+  });
+
   test("that got no answer asks nothing more about its text", () => {
     const ahead = read({ desk: { pending: [typed(0, "41")] } });
     const next = desk.failed(ahead, desk.standing(ahead).question, "broken");
@@ -165,6 +180,40 @@ describe("a state", () => {
     assert.equal(after.form, before.form);
     assert.equal(after.view.step, 3);
     assert.equal(before.view.step, state.AT_END);
+  });
+});
+
+// oracle: hand: the texts as they were; a step of a long program holds what was edited, and not the program
+describe("steps of a long program", () => {
+  const withText = (before, text) => state.patched(before, { program: { texts: { sinumerik: text } } });
+  const stepTo = (before, text, subject, at) => {
+    const after = withText(before, text);
+    const step = { name: { key: "step-program", args: { line: 1 } }, subject };
+    return state.patched(after, { history: history.withStep(before.history, step, before, after, at) });
+  };
+  const back = (from, count) => state.patched(from, history.stepped(from, count));
+
+  test("bring each state back, also where more came between them, and forth again", () => {
+    const texts = ["G1 X1 Y1\r\n".repeat(30_000)];
+    let now = withText(state.firstState(), texts[0]);
+    for (let n = 1; n < 6; n++) {
+      const text = texts[n - 1];
+      texts.push(`${text.slice(0, 5000 * n)}N${n}${text.slice(5000 * n + (n % 3))}`);
+      now = stepTo(stepTo(now, `${text} `, "typed", 5000 * n), texts[n], "typed", 5000 * n + 1);
+    }
+    const characters = JSON.stringify(now.history.past).length;
+    assert.ok(now.history.past.length === 5 && characters < 10_000, `${characters} characters in five steps`);
+    for (const text of texts.slice(0, -1).reverse()) {
+      now = back(now, 1);
+      assert.equal(state.programOf(now), text);
+    }
+    now = back(now, -3);
+    assert.equal(state.programOf(now), texts[3]);
+    const followed = withText(now, `;${texts[3]}`); // which is no step
+    now = stepTo(followed, `;${texts[3]}M30`, "", 90_000);
+    assert.equal(state.programOf(back(now, 1)), `;${texts[3]}`);
+    assert.equal(state.programOf(back(now, 2)), texts[2]);
+    assert.equal(state.programOf(back(back(now, 3), -3)), `;${texts[3]}M30`);
   });
 });
 

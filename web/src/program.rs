@@ -184,37 +184,23 @@ impl Held {
         Held(self.0.clone())
     }
 
-    /// [`read`] of this text.
+    /// What the function of this name says of this text: `read`, `change`, `convert`, `cure` or `equip`.
     ///
     /// # Errors
-    /// A request of the wrong shape.
-    pub fn read(&self, request: &str) -> Result<String, JsError> {
-        let ask = |asked| app::read(app::ReadRequest { text: self.0.clone(), ..asked }, &mut |share| tell(share));
-        Ok(json::answer(request, ask)?)
-    }
-
-    /// [`change`] of this text.
-    ///
-    /// # Errors
-    /// A request of the wrong shape or a call that is not there.
-    pub fn change(&self, request: &str) -> Result<String, JsError> {
-        Ok(json::answer(request, |asked| app::change(app::ChangeRequest { text: self.0.clone(), ..asked }))?)
-    }
-
-    /// [`convert`] of this text.
-    ///
-    /// # Errors
-    /// A request of the wrong shape.
-    pub fn convert(&self, request: &str) -> Result<String, JsError> {
-        Ok(json::answer(request, |asked| app::convert(app::ConvertRequest { text: self.0.clone(), ..asked }))?)
-    }
-
-    /// [`cure`] of this text.
-    ///
-    /// # Errors
-    /// A request of the wrong shape.
-    pub fn cure(&self, request: &str) -> Result<String, JsError> {
-        Ok(json::answer(request, |asked| app::cure(app::CureRequest { text: self.0.clone(), ..asked }))?)
+    /// Another name, a request of the wrong shape, or what the function itself refuses.
+    pub fn ask(&self, what: &str, request: &str) -> Result<String, JsError> {
+        let text = self.0.clone();
+        let answer = match what {
+            "read" => {
+                json::answer(request, |asked| app::read(app::ReadRequest { text, ..asked }, &mut |done| tell(done)))
+            }
+            "change" => json::answer(request, |asked| app::change(app::ChangeRequest { text, ..asked })),
+            "convert" => json::answer(request, |asked| app::convert(app::ConvertRequest { text, ..asked })),
+            "cure" => json::answer(request, |asked| app::cure(app::CureRequest { text, ..asked })),
+            "equip" => json::answer(request, |asked| app::equip(app::EquipRequest { text, ..asked })),
+            _ => return Err(JsError::new(what)),
+        };
+        Ok(answer?)
     }
 
     /// A run of this text before its first block.

@@ -257,6 +257,28 @@ export function lacking(text: string, encoding: Encoding, from = 0, to = text.le
   return -1;
 }
 
+/** Where a piece of a text ends that begins there: it parts no pair of surrogates. */
+export function pieceEnd(text: string, from: number): number {
+  const to = Math.min(from + PIECE, text.length);
+  return text.charCodeAt(to - 1) >> 10 === 0x36 && to < text.length ? to - 1 : to;
+}
+
+/** As [`encode`], for a text of any length. */
+export async function encodeInPieces(text: string, encoding: Encoding, pace: Pace): Promise<Blob | null> {
+  const plain = encoding.replace("-marked", "") as Encoding;
+  const parts: Blob[] = [];
+  let from = 0;
+  do {
+    const to = pieceEnd(text, from);
+    const bytes = encode(text.slice(from, to), from === 0 ? encoding : plain);
+    if (!bytes) return null;
+    parts.push(new Blob([bytes]));
+    from = to;
+    await pace.turn(from / text.length);
+  } while (from < text.length);
+  return new Blob(parts);
+}
+
 /** null: a character was typed in that the encoding lacks. */
 export function encode(text: string, encoding: Encoding): Uint8Array<ArrayBuffer> | null {
   const coder = coderOf(encoding);

@@ -13,6 +13,18 @@ export interface Pace {
   turn(share: number): Promise<void>;
 }
 
+/** Slices that nobody counts or stops. */
+export function sliced(): Pace {
+  let until = performance.now() + SLICE;
+  return {
+    async turn() {
+      if (performance.now() < until) return;
+      await new Promise(resolve => setTimeout(resolve));
+      until = performance.now() + SLICE;
+    },
+  };
+}
+
 /** `since`: ms, as performance.now; `size`: characters or bytes that it is about. */
 export interface Underway {
   since: number;
@@ -47,13 +59,11 @@ export function createJob(changed: () => void): Job {
       stop();
       const own = { underway: { since: performance.now(), size } as Underway, stopped: false };
       running = own;
-      let until = own.underway.since + SLICE;
+      const slices = sliced();
       const turn = async (share: number): Promise<void> => {
-        if (performance.now() < until) return;
-        own.underway = { ...own.underway, share };
-        await new Promise(resolve => setTimeout(resolve));
+        own.underway.share = share;
+        await slices.turn(share);
         if (own.stopped) throw new Ended();
-        until = performance.now() + SLICE;
       };
       changed();
       try {

@@ -47,6 +47,9 @@ pub fn worth(dialect: Dialect, written: &str, known: Known) -> Option<f64> {
 
 /// A calculated number as it is shown, without the digits that only calculating brought.
 pub fn shown(number: f64) -> String {
+    if number.fract() == 0.0 && number.abs() < 1e12 {
+        return number.to_string();
+    }
     format!("{number:.12e}").parse().unwrap_or(number).to_string()
 }
 

@@ -37,6 +37,12 @@ pub fn repeated(control: &Control, name: &str) -> Option<Vec<String>> {
     Some(elements_from(name, &sizes))
 }
 
+/// A name without its index.
+pub fn stem(name: &str) -> &str {
+    let end = name.bytes().position(|byte| byte == b'[');
+    end.map_or(name, |end| name.split_at(end).0)
+}
+
 /// Stem and index: `_WP[0,1]` is `_WP` and 0, 1.
 pub(super) fn split(name: &str) -> Option<(&str, Vec<usize>)> {
     let Some((stem, rest)) = name.split_once('[') else { return Some((name, Vec::new())) };

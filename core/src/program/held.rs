@@ -2,6 +2,7 @@
 //! each branch and each call of a program goes on with a copy of its own.
 
 use super::values::Value;
+pub(super) use crate::control::arrays::stem;
 use crate::syntax::{Program, fold};
 use std::collections::HashMap;
 use std::rc::Rc;
@@ -66,11 +67,6 @@ impl Names {
     pub fn of_variable(&self, stem: &str) -> &[usize] {
         self.elements.get(stem).map_or(&[], Vec::as_slice)
     }
-}
-
-/// A name without its index.
-pub(super) fn stem(name: &str) -> &str {
-    name.split('[').next().unwrap_or(name)
 }
 
 /// What one variable may hold.

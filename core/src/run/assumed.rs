@@ -257,19 +257,22 @@ fn place(sim: &Sim, inputs: &Inputs, proposal: &Proposal) -> Option<(Stand, bool
         return None;
     }
     let mut best: Option<(Grade, Stand)> = None;
-    for stand in [proposed.clone(), proposed.turned(sim)] {
+    let moved = |stand: Stand| {
         let away = V3::from(sim.position.0) - stand.start;
+        let along = move |axes: usize| V3::from_fn(|axis, _| if axes >> axis & 1 == 1 { away[axis] } else { 0.0 });
         // along all axes first, along none last
-        for axes in [7, 3, 5, 6, 1, 2, 4, 0] {
-            let way = V3::from_fn(|axis, _| if axes >> axis & 1 == 1 { away[axis] } else { 0.0 });
-            let stand = stand.clone().moved(way);
-            let mut tried = sim.clone();
-            stand.clone().put(&mut tried);
-            let grade = grade(tried, inputs);
-            let better = |known: Grade| grade.0 < known.0 || grade.0 == known.0 && grade.1 < known.1 - NONE;
-            if best.as_ref().is_none_or(|(known, _)| better(*known)) {
-                best = Some((grade, stand));
-            }
+        [7, 3, 5, 6, 1, 2, 4, 0].into_iter().map(move |axes| stand.clone().moved(along(axes)))
+    };
+    for stand in moved(proposed.clone()).chain(moved(proposed.turned(sim))) {
+        let mut tried = sim.clone();
+        stand.clone().put(&mut tried);
+        let grade = grade(tried, inputs);
+        let better = |known: Grade| grade.0 < known.0 || grade.0 == known.0 && grade.1 < known.1 - NONE;
+        if best.as_ref().is_none_or(|(known, _)| better(*known)) {
+            best = Some((grade, stand));
+        }
+        if grade <= Grade(0, NONE) {
+            break; // none is better
         }
     }
     best.map(|(grade, stand)| (stand, grade.0 < 2))

@@ -1,7 +1,8 @@
 //! Variables of a program: declared with `DEF`, or parameters of its `PROC`. Elements are in the order of `SET`.
 
 use super::{Datum, Interpreter, Type, datum::replaced, defined};
-use crate::control::{arrays, variables};
+use crate::control::arrays::{self, stem};
+use crate::control::variables;
 use crate::diagnostic::Span;
 use crate::problem::Problem;
 use std::collections::BTreeMap;
@@ -60,7 +61,7 @@ pub enum Keeper {
 
 /// Where the variable that a program names is kept.
 pub fn home(run: &Interpreter, key: &str) -> Home {
-    let (stem, index) = key.split_at(key.find('[').unwrap_or(key.len()));
+    let (stem, index) = key.split_at(stem(key).len());
     let level = run.levels.len().saturating_sub(1);
     let keeper = match run.levels.last().and_then(|level| level.locals.get(stem)) {
         Some(Local::Own(_)) => Keeper::Level(level),
@@ -179,11 +180,6 @@ fn element<'i, 'k>(variable: &Variable, index: &'i [&'k str]) -> Option<(usize, 
     let (own, rest) = index.split_at_checked(variable.sizes.len())?;
     let own: Vec<usize> = own.iter().map(|number| number.parse().ok()).collect::<Option<_>>()?;
     Some((arrays::place(&own, &variable.sizes)?, rest))
-}
-
-/// The name without its index.
-pub fn stem(key: &str) -> &str {
-    key.split('[').next().unwrap_or_default()
 }
 
 /// The indices of a name, as written in its key.

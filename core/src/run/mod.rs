@@ -68,11 +68,12 @@ pub use interpret::{Session, run};
 pub use limits::Limits;
 pub use outcome::{Change, Outcome};
 
+use crate::control::arrays::stem;
 use datum::{Datum, Type};
 use expression::evaluate;
 use halt::Halt;
 use interpret::{Interpreter, Next};
-use locals::{Home, Keeper, Local, Locals, Variable, indices, stem};
+use locals::{Home, Keeper, Local, Locals, Variable, indices};
 use modal::{Compensation, FeedType, Modal, Motion};
 use path::{Coordinate, Measure, Path, Pole, Suppress};
 use statement::{Address, Call, Words};

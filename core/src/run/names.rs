@@ -149,7 +149,7 @@ fn write_one(run: &mut Interpreter, key: &str, value: &Datum, place: Span) -> Re
     if locals::write(run, &home, value, place)? {
         return Ok(());
     }
-    let key = &*home.key.clone();
+    let key = home.key.as_str();
     if defined::write(run, key, value, place)? {
         return Ok(());
     }

@@ -10,6 +10,7 @@ use crate::program::words::{ignores_arguments, left_out as left_out_value};
 use crate::syntax::language::BY_TEXT;
 use crate::syntax::links::Link;
 use crate::syntax::tree::{Block, Expr, ExprId, Word, WordKind};
+use std::borrow::Cow;
 use std::rc::Rc;
 
 /// A call in a block.
@@ -56,14 +57,15 @@ pub struct Address {
 impl Address {
     /// An address word with its value; none: the word is something else.
     pub fn of(run: &Interpreter, word: &Word) -> Result<Option<Address>, Problem> {
-        let WordKind::Address { name, extension, mode, value } = &word.kind else { return Ok(None) };
-        Ok(Some(Address {
-            name: run.program.name(*name),
-            extension: *extension,
-            mode: mode.map(|mode| run.program.name(mode)),
-            value: evaluate(run, *value)?,
-            span: word.span,
-        }))
+        let WordKind::Address { name, .. } = &word.kind else { return Ok(None) };
+        Address::named(run, run.program.name(*name), word)
+    }
+
+    /// The same with these letters.
+    fn named(run: &Interpreter, name: String, word: &Word) -> Result<Option<Address>, Problem> {
+        let WordKind::Address { extension, mode, value, .. } = &word.kind else { return Ok(None) };
+        let (mode, value) = (mode.map(|mode| run.program.name(mode)), evaluate(run, *value)?);
+        Ok(Some(Address { name, extension: *extension, mode, value, span: word.span }))
     }
 }
 
@@ -191,14 +193,18 @@ pub(super) fn word_of(run: &mut Interpreter, word: &Word, found: &mut Words) -> 
     match &word.kind {
         WordKind::Address { name, extension, mode, value } => {
             let letters = run.program.name(*name);
-            let variable = extension.map_or(letters.clone(), |number| format!("{letters}{number}"));
+            let variable = match extension {
+                Some(number) => Cow::from(format!("{letters}{number}")),
+                None => Cow::from(&letters),
+            };
             if mode.is_none() && hidden(run, &variable, word.span) {
                 let value = right_side(run, *value)?;
                 names::write(run, &variable, &value, word.span)?;
                 found.counter = value.number();
                 return Ok(true);
             }
-            found.addresses.extend(Address::of(run, word)?.filter(|address| address.value != Datum::Vacant));
+            let address = Address::named(run, letters, word)?;
+            found.addresses.extend(address.filter(|address| address.value != Datum::Vacant));
         }
         WordKind::Assign { name, index, value, .. } => {
             let letters = run.program.name(*name);
@@ -246,20 +252,17 @@ fn right_side(run: &mut Interpreter, value: ExprId) -> Result<Datum, Problem> {
 
 /// Whether a name with a value is one that the run goes on without; where it does something, that is told.
 fn left_alone(run: &mut Interpreter, name: &str, span: Span) -> bool {
-    if locals::declared(run, name) {
-        return false;
-    }
-    let told = left_out_value(name);
-    if told == Some(true) {
+    let Some(told) = left_out_value(name).filter(|_| !locals::declared(run, name)) else { return false };
+    if told {
         noted::without(run, "run-passed", span, name);
     }
-    told.is_some()
+    true
 }
 
 /// Whether a variable of the program has the name of an address. X, Y and Z stay axes, whatever is declared; where the
 /// machine has a rotary axis of that name, it is told that the program means its variable.
 pub fn hidden(run: &mut Interpreter, name: &str, span: Span) -> bool {
-    let variable = locals::declared(run, name) && !declare::is_axis(name);
+    let variable = !declare::is_axis(name) && locals::declared(run, name);
     if variable && run.sim.control.rotary_axis(name).is_some() {
         run.tell(Severity::Warning, &Problem::new("run-axis-variable", span, name));
     }

@@ -54,7 +54,8 @@ impl Program {
 
     /// Name at a place in upper case.
     pub fn name(&self, span: Span) -> String {
-        String::from_utf8_lossy(self.text(span)).to_ascii_uppercase()
+        let name = self.text(span).to_ascii_uppercase();
+        String::from_utf8(name).unwrap_or_else(|other| String::from_utf8_lossy(other.as_bytes()).into_owned())
     }
 
     /// Text at a place as it is written.

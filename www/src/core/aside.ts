@@ -41,6 +41,13 @@ export interface Aside {
 }
 
 const PATIENCE = 1500; // ms that an outdated question may still take
+const GIANT = 100_000_000; // characters
+
+/**
+ * Whether a text is so long that one worker at a time has it, and none waits for the next question about it: each needs
+ * several times its memory, and hands that back only at its own end.
+ */
+export const isGiant = (text: string): boolean => text.length > GIANT;
 
 function same(a: Question | null | undefined, b: Question): boolean {
   return !!a && Object.entries(b).every(([name, value]) => a[name as keyof Question] === value);
@@ -63,17 +70,17 @@ export function createAside(module: () => WebAssembly.Module | undefined, ready:
     const next = waiting;
     waiting = null;
     if (next) ask(next);
+    else if (isGiant(answered.question.text)) drop();
     ready();
   };
   const drop = (): void => {
-    // after a problem no call is safe
     worker?.terminate();
-    worker = null;
+    worker = handed = null;
   };
   const start = (compiled: WebAssembly.Module): Worker => {
     const made = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
     const finish = (reply: Exclude<Reply, Way>): void => {
-      if ("problem" in reply) drop();
+      if ("problem" in reply) drop(); // no call is safe any more
       if (running) end({ question: running.question, ...reply });
     };
     const hear = (reply: Reply): void => {

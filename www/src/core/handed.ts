@@ -2,20 +2,14 @@
 // what was edited since. Questions about it come without the text.
 
 import { difference } from "../difference";
+import { pieceEnd } from "../encoding";
 import type { Splice } from "../eol";
-import { LONG } from "../pace";
+import { LONG, sliced } from "../pace";
 
 /** What a worker is told about the text that questions are about. */
 export type Told = { begin: number } | { piece: Uint8Array<ArrayBuffer> } | { edit: Splice };
 
-const PIECE = 2 ** 20; // characters that are handed over at once
-const SLICE = 12; // ms
-
-/** Where a piece ends: it parts no pair of surrogates. */
-function endOf(text: string, from: number): number {
-  const to = Math.min(from + PIECE, text.length);
-  return text.charCodeAt(to - 1) >> 10 === 0x36 && to < text.length ? to - 1 : to;
-}
+const LONGEST = 2 ** 20; // characters of an edit
 
 /** The text that lies in a worker. */
 export interface Handed {
@@ -34,24 +28,22 @@ export function createHanded(post: (told: Told, transfer: ArrayBuffer[]) => void
   const whole = async (text: string, over: () => boolean): Promise<boolean> => {
     there = null;
     post({ begin: text.length }, []);
-    let until = performance.now() + SLICE;
-    for (let from = 0; from < text.length; ) {
-      const to = endOf(text, from);
+    await new Promise(resolve => setTimeout(resolve)); // what asked has had its share of the time
+    const pace = sliced();
+    for (let from = 0; from < text.length && !over(); ) {
+      const to = pieceEnd(text, from);
       const piece = encoder.encode(text.slice(from, to));
       post({ piece }, [piece.buffer]);
       from = to;
-      if (performance.now() < until) continue;
-      await new Promise(resolve => setTimeout(resolve));
-      if (over()) return false;
-      until = performance.now() + SLICE;
+      await pace.turn(from / text.length);
     }
-    return true;
+    return !over();
   };
   return {
     takes: text => text.length > LONG,
     async hand(text, over) {
       const edit = there === null ? null : difference(there, text);
-      const far = there === null || (edit !== null && edit.insert.length > PIECE);
+      const far = there === null || (edit !== null && edit.insert.length > LONGEST);
       if (far && !(await whole(text, over))) return null;
       if (!far && edit) post({ edit }, []);
       if (far || edit) version++;

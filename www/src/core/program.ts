@@ -56,12 +56,18 @@ export interface RunQuestion extends RunRequest {
   known: boolean;
 }
 
+/** What the machine is to get for a program. */
+export interface SupplyRequest extends EquipRequest {
+  text: string;
+}
+
 /** What is asked about a whole program. */
 export type Question =
   | ({ ask: "read" } & ReadRequest)
   | ({ ask: "change" } & ChangeRequest)
   | ({ ask: "convert" } & ConvertRequest)
   | ({ ask: "cure" } & CureRequest)
+  | ({ ask: "equip" } & SupplyRequest)
   | ({ ask: "run" } & RunQuestion);
 
 /** What came of a session of measuring in JOG, and what is to be seen of it. */
@@ -113,7 +119,7 @@ function changes(
   const answers = asked(pending, { control, text, at }).map(one => {
     const { name, value } = one;
     const asked = { control, text: HELD, call: index, name, value, setup, with: beside };
-    const changed = JSON.parse(call("change", () => now.change(JSON.stringify(asked)))) as Changed;
+    const changed = JSON.parse(call("change", () => now.ask("change", JSON.stringify(asked)))) as Changed;
     if (!hasToReplace(one, changed)) for (const step of changed.steps) edit(now, step);
     return changed;
   });
@@ -128,7 +134,8 @@ export type AtOnce = Exclude<Question, { ask: "run" }>;
 export function answer(question: AtOnce, held: Held | null = null): string {
   const { ask, ...request } = question;
   if (ask === "change") return JSON.stringify(changes(question as ChangeRequest, held));
-  return call(ask, () => (held ?? wasm)[ask](JSON.stringify(request)));
+  const json = JSON.stringify(request);
+  return call(ask, () => (held ? held.ask(ask, json) : wasm[ask](json)));
 }
 
 /** A form, and its scene once that is asked for: nobody does where the view is out of sight. */

@@ -11,11 +11,11 @@ import {
   AT_END,
   asWritten,
   beginning,
-  besideOf,
   type Card,
   firstState,
   memoryKey,
   NO_ERRORS,
+  NOBODY,
   ownMachine,
   type Panel,
   type Patch,
@@ -39,7 +39,6 @@ import type {
   Diagnostic,
   Dialect,
   Edit,
-  EquipRequest,
   ErrorSliders,
   MachineView,
   Message,
@@ -53,7 +52,8 @@ import type {
 import { sameName } from "./beside";
 import { opened } from "./calls";
 import { type Derived, findCycle } from "./derive";
-import { isOfNow, isRead, withEdits } from "./program";
+import { asBegun, equipped, errorsOf, freeName, used } from "./equipped";
+import { isRead, withEdits } from "./program";
 import { STEPS } from "./story";
 import {
   agreed,
@@ -214,11 +214,6 @@ function planeFor(state: State, { control, purpose: { plane } }: CycleInfo): Pat
 /** The sort of machine that was last chosen for, told by its usual plane. */
 function suits({ form: { control }, machine }: State, plane: Plane): Patch {
   return { machine: { suits: { ...machine.suits, [control]: plane } } };
-}
-
-/** A form of no call of the program in what the machine begins with. */
-function asBegun({ form: { open } }: State): Patch {
-  return open === null ? { form: { around: null } } : {};
 }
 
 /** The worked measurement of the cycle, with the addresses of the plane. */
@@ -502,17 +497,7 @@ export function createActions(store: Store, catalogue: Catalogue, core: () => Pr
       actions.openSetup(setup);
     },
     equip(setup, told) {
-      const { machine } = now();
-      const first = profile(now()) === undefined;
-      store.update(
-        {
-          machine: { setups: { ...machine.setups, [setup.control]: first ? withName(now(), setup) : setup }, told },
-          view: { step: AT_END },
-          page: { offer: false },
-        },
-        first ? { part: { errors: errorsOf(setup, catalogue.applicate) } } : {},
-        asBegun(now()),
-      );
+      store.update(equipped(now(), setup, told, catalogue), { page: { offer: false } });
     },
     newProfile() {
       const { control } = now().form;
@@ -688,11 +673,8 @@ export function createActions(store: Store, catalogue: Catalogue, core: () => Pr
       store.update({ machine: described }, asBegun(now()), { view: { step: AT_END } });
     },
     give(offer) {
-      const state = now();
-      const view = core()?.equip(supplied(state, offer));
-      if (!view) return; // the module is still on its way
-      actions.equip(view.setup, offer.label);
-      store.update({ page: { notice: "notice-given", offer: true } });
+      const giving = { change: { give: offer.supply }, told: offer.label };
+      store.update({ desk: { giving }, page: { changed: Date.now(), others: NOBODY } });
       store.flush();
     },
     panel(panel) {
@@ -712,18 +694,6 @@ export function createActions(store: Store, catalogue: Catalogue, core: () => Pr
   return actions;
 }
 
-/**
- * On the machine on which the program ran, with the part that stood there; one that fits the whole program is made of
- * the machine as it was before.
- */
-function supplied(state: State, { supply }: Offer): EquipRequest {
-  const { control } = state.form;
-  const { done } = state.run;
-  const ran = done && supply !== "parts" && state.view.source === "program" && isOfNow(done, state);
-  const { setup } = ran ? done : programMachine(state);
-  return { control, text: programOf(state), change: { give: supply }, ...besideOf(state), ...(setup ? { setup } : {}) };
-}
-
 /** The files beside the program with these. */
 function withFiles(before: readonly BesideFile[] = [], more: readonly Opened[]): BesideFile[] {
   const added = more.map(({ text, file }) => ({ ...file, text }));
@@ -734,11 +704,6 @@ function withFiles(before: readonly BesideFile[] = [], more: readonly Opened[]):
 /** With other files beside the program: what was stopped may go on. */
 function besideAnew(beside: State["program"]["beside"]): Patch {
   return { program: { beside, stoppedReading: null }, run: { stopped: null } };
-}
-
-/** The profile in use, changed. */
-function used({ machine: { setups } }: State, setup: Setup): Patch["machine"] {
-  return { setups: { ...setups, [setup.control]: setup } };
 }
 
 /** Another profile in use; the one before stays among the others. */
@@ -752,44 +717,10 @@ function inUse({ machine: { setups, parked } }: State, control: Dialect, setup: 
   };
 }
 
-/** A name that no profile has: this one, or with a number behind it. */
-function freeName({ machine: { setups, parked } }: State, wanted: string): string {
-  const taken = [...Object.values(setups), ...parked].map(one => one.name ?? "");
-  if (!taken.includes(wanted)) return wanted;
-  const stem = wanted.replace(/\s+\d+$/, "");
-  let number = 2;
-  while (taken.includes(`${stem} ${number}`)) number++;
-  return `${stem} ${number}`;
-}
-
-/** A machine that becomes a profile by what is done to it. */
-function withName(state: State, setup: Setup): Setup {
-  return setup.name ? setup : { ...setup, name: freeName(state, t("profile-new")) };
-}
-
 /** The sheet leaves room for a panel that is wanted. */
 function sheetFor(panel: Panel, sheet: Sheet): Sheet {
   const docked = panel === "program" || panel === "results";
   return (docked && sheet === "peek") || (panel === "view" && sheet === "full") ? "half" : sheet;
-}
-
-/** What is wrong with the part of a setup, for the sliders. The probe's own errors are in the setup already. */
-function errorsOf(setup: Setup, applicate: Catalogue["applicate"]): ErrorSliders {
-  const errors = setup.workpiece[0]?.errors;
-  if (!errors) return NO_ERRORS;
-  const [dx, dy, dz] = errors.shift;
-  return {
-    ...NO_ERRORS,
-    part: {
-      dx,
-      dy,
-      dz,
-      size: errors.size,
-      tilt: errors.tilt[applicate[setup.plane]],
-      taper: errors.taper,
-      outOfRound: errors.outOfRound[0],
-    },
-  };
 }
 
 /** Whole lines before the line of the cursor, or after the last line when the cursor stands at its end. */

@@ -7,15 +7,16 @@
 import type { Answered, Aside } from "../core/aside";
 import type { AtOnce, ProgramCore } from "../core/program";
 import { besideOf, patched, programMachine, programOf, type Reading, type State } from "../state/state";
-import type { Changed, Converted, CuredAll, ReadView } from "../wire";
+import type { Catalogue, Changed, Converted, CuredAll, EquipView, ReadView } from "../wire";
 import { arrived } from "./calls";
+import { supplied, supplying } from "./equipped";
 import { isCurrent, isOfNow, isRead } from "./program";
 import { change, changed, conversion, converted, cured, curing } from "./typing";
 
 /** Of a program that is read between two keystrokes, in characters. */
 const SHORT = 8_000;
 
-export type Answer = ReadView | Changed[] | Converted | CuredAll;
+export type Answer = ReadView | Changed[] | Converted | CuredAll | EquipView;
 
 /** How program and form stand to each other; the first that is so counts. */
 export type Standing =
@@ -24,6 +25,7 @@ export type Standing =
   | { is: "looking"; reading: Reading } // the form is to show another call: it does
   | { is: "typed"; question: AtOnce } // the form is ahead of the program: it is written into it
   | { is: "rewriting"; question: AtOnce } // calls are to be written in another way, findings to be cured: it is shown
+  | { is: "giving"; question: AtOnce } // the machine gets what the program lacks
   | { is: "astray" } // that call is gone: nobody waits for it any more
   | { is: "settled" };
 
@@ -31,6 +33,8 @@ export function standing(state: State): Standing {
   const { control } = state.form;
   const { follow, sought, converting } = state.desk;
   const { reading, stoppedReading } = state.program;
+  const supply = supplying(state);
+  if (supply) return { is: "giving", question: { ask: "equip", ...supply } };
   if (!reading || !isRead(state)) {
     if (isLong(state) && isCurrent(stoppedReading, state)) return { is: "stopped" };
     return {
@@ -49,7 +53,7 @@ export function standing(state: State): Standing {
 }
 
 /** The state with an answer. The question was about its program as it is. */
-export function answered(state: State, question: AtOnce, answer: Answer): State {
+export function answered(state: State, question: AtOnce, answer: Answer, catalogue: Catalogue): State {
   switch (question.ask) {
     case "read": {
       const { ask: _, ...about } = question;
@@ -61,26 +65,29 @@ export function answered(state: State, question: AtOnce, answer: Answer): State 
       return converted(state, answer as Converted);
     case "cure":
       return cured(state, answer as CuredAll);
+    case "equip":
+      return supplied(state, answer as EquipView, catalogue);
   }
 }
 
 /** The state without an answer: nothing is asked about this text any more. */
 export function failed(state: State, { ask, control, text }: AtOnce, why: string): State {
   return patched(state, {
-    desk: { converting: null, curing: null, pending: ask === "change" ? [] : state.desk.pending },
+    desk: { converting: null, curing: null, giving: null, pending: ask === "change" ? [] : state.desk.pending },
     program: { stoppedReading: { control, text, why } },
   });
 }
 
 /** The next state; null: there is none, or not before an answer. */
-export function next(state: State, answer: (question: AtOnce) => Answer | null): State | null {
+export function next(state: State, answer: (question: AtOnce) => Answer | null, catalogue: Catalogue): State | null {
   const now = standing(state);
   switch (now.is) {
     case "unread":
     case "typed":
-    case "rewriting": {
+    case "rewriting":
+    case "giving": {
       const found = answer(now.question);
-      return found && answered(state, now.question, found);
+      return found && answered(state, now.question, found, catalogue);
     }
     case "looking":
       return arrived(state, now.reading);
@@ -111,29 +118,36 @@ function atOnce(core: ProgramCore, question: AtOnce): Answer {
       return core.convert(question);
     case "cure":
       return core.cure(question);
+    case "equip":
+      return core.equip(question);
   }
 }
 
 /** What the worker has answered, if it is about the program as it is. */
-function taken(state: State, answer: Answered | null): State {
+function taken(state: State, answer: Answered | null, catalogue: Catalogue): State {
   if (!answer || answer.question.ask === "run" || !isOfNow(answer.question, state)) return state;
   const { question, json, problem } = answer;
   return json === undefined
     ? failed(state, question, problem ?? "")
-    : answered(state, question, JSON.parse(json) as Answer);
+    : answered(state, question, JSON.parse(json) as Answer, catalogue);
 }
 
 /** Until the part of the core that reads is there, nothing is settled. */
-export function createDesk(programCore: () => ProgramCore | null, reader: Aside): (state: State) => State {
+export function createDesk(
+  programCore: () => ProgramCore | null,
+  reader: Aside,
+  catalogue: Catalogue,
+): (state: State) => State {
   return state => {
     const core = programCore();
-    let settled = taken(state, reader.take());
+    let settled = taken(state, reader.take(), catalogue);
     const answer = (question: AtOnce): Answer | null => {
       if (core && !isLong(settled)) return atOnce(core, question);
       reader.want(question);
       return null;
     };
-    for (let after = core && next(settled, answer); after; after = next(settled, answer)) settled = after;
+    const after = (): State | null => next(settled, answer, catalogue);
+    for (let found = core && after(); found; found = after()) settled = found;
     return settled;
   };
 }

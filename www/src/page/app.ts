@@ -202,14 +202,10 @@ function isTyping(before: State | null, { form, panels, page, view }: State): bo
 
 /** What is drawn follows from the state: first what the state itself becomes by it, then all that shows it. */
 function createDraw(parts: Parts & { modules: Modules; pointing: Pointing }, keep: () => void): () => Rest | undefined {
-  const {
-    store,
-    modules,
-    editor,
-    work: { reader, runner },
-  } = parts;
+  const { store, modules, editor, work } = parts;
+  const { reader, runner } = work;
   const derive = createDerive(() => modules.forms, parts.catalogue);
-  const desk = createDesk(() => modules.program, reader);
+  const desk = createDesk(() => modules.program, reader, parts.catalogue);
   const settle = (state: State): State => {
     const read = desk(state);
     const next = suited(read, parts.catalogue);
@@ -243,7 +239,7 @@ function createDraw(parts: Parts & { modules: Modules; pointing: Pointing }, kee
     state = store.settle(record(state, typed));
     keep();
     seen = lastKnown(seen, { state, derived });
-    askRun(runner, state, derived);
+    askRun(work, state, derived);
     const back = bench.language === language() ? null : remade();
     const drawRest = bench.draw(state, withMotions(derived, runner, state));
     const rest = (): void => {

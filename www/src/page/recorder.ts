@@ -21,6 +21,7 @@ export function createRecorder(settled: (state: State) => boolean): (state: Stat
     // what follows from a step back or forth is no step
     if (!last || last.history !== state.history) return keep(state);
     const told = toldStep(last.state, state, inEditor);
-    return keep(told ? patched(state, { history: withStep(state.history, told, last.state, Date.now()) }) : state);
+    if (!told) return keep(state);
+    return keep(patched(state, { history: withStep(state.history, told, last.state, state, Date.now()) }));
   };
 }

@@ -1,18 +1,23 @@
 // The run of the program, while its motions are shown: asked aside, and its answer put into the state.
 
-import type { Answered, Aside } from "../core/aside";
+import { type Answered, type Aside, isGiant } from "../core/aside";
 import { type Columns, courseOf, stepsOf } from "../core/steps";
 import type { Derived } from "../desk/derive";
 import { type Given, givenTo, machineTo } from "../desk/given";
 import { isCurrent, isOfNow } from "../desk/program";
 import { patched, type Ran, type State } from "../state/state";
 import type { RunView } from "../wire";
+import type { Work } from "./activities";
 
 /** Lets the program run on the opened machine, else on that of the form, while its motions are shown. */
-export function askRun(runner: Aside, state: State, { view, program: text }: Derived): void {
+export function askRun({ runner, reader }: Work, state: State, { view, program: text }: Derived): void {
   const { control } = state.form;
   const { done: ran, stopped: stoppedRun } = state.run;
   if (state.view.source !== "program") return;
+  if (isGiant(text) && reader.busy()) {
+    runner.stop();
+    return;
+  }
   const setup = machineTo(state, view);
   const { errors: times } = state.view;
   const { known: isKnown, ...given } = givenTo(state);

@@ -37,7 +37,7 @@ export function createTabs(store: Store, asks: boolean, begun: (stored: Flat | n
       run: { done: null },
       view: { step: AT_END },
       page: { changed: state.page.changed },
-      history: { past: [], future: [] }, // what this tab showed before was nobody's step
+      history: { past: [], future: [], texts: {} }, // what this tab showed before was nobody's step
     });
     stay();
   };

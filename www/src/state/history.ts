@@ -1,11 +1,14 @@
 // What was done, step by step: undone and done again across form, program and machine. A step is told by what differs
 // between the work before and after it, so that nothing that changes the work has to say so.
 
+import { difference } from "../difference";
+import { type Splice, splice } from "../eol";
+import { LONG } from "../pace";
 import type { Dialect } from "../wire";
 import type { History, Patch, State, Step, StepName } from "./state";
 import { work } from "./stored";
 
-/** Steps that are kept, and characters of different programs in them: each holds the whole program. */
+/** Steps that are kept, and characters of different programs in them. */
 const MOST = 200;
 const MOST_TEXT = 32_000_000;
 /** What is typed into the same place within this time is one step, ms. */
@@ -26,7 +29,7 @@ function differing(one: Record<string, unknown>, other: Record<string, unknown>)
   return [...names].filter(name => !same(one[name] ?? "", other[name] ?? ""));
 }
 
-type Told = Omit<Step, "work" | "at">;
+type Told = Omit<Step, "work" | "edits" | "at">;
 
 const named = (key: string, args: StepName["args"] = {}): Told => ({ name: { key, args }, subject: "" });
 
@@ -109,11 +112,45 @@ export function toldStep(before: State, after: State, inEditor: boolean): Told |
   return ofFile(step) ?? ofPage(step) ?? ofEditor(step) ?? ofForm(step) ?? ofRest(step);
 }
 
+type Texts = State["program"]["texts"];
+type Work = Pick<Step, "work" | "edits">;
+
+const textsOf = ({ program }: Patch): Texts => program?.texts ?? {};
+const withTexts = (work: Patch, texts: Texts): Patch => ({ ...work, program: { ...work.program, texts } });
+
+/** The work as a step holds it that has these programs on its other side. */
+function held(whole: Patch, other: Texts): Work {
+  const edits: Step["edits"] = {};
+  const texts: Texts = {};
+  for (const [control, text] of Object.entries(textsOf(whole)) as [Dialect, string][]) {
+    const from = other[control];
+    const edit = text.length > LONG && from !== undefined ? difference(from, text) : undefined;
+    if (edit === undefined || (edit && edit.insert.length > LONG)) texts[control] = text;
+    else edits[control] = edit;
+  }
+  return { work: withTexts(whole, texts), edits };
+}
+
+/** The work that a step holds, all of it. */
+function whole({ work, edits }: Work, other: Texts): Patch {
+  const made = (Object.entries(edits) as [Dialect, Splice | null][]).map(([control, edit]) => {
+    const text = other[control] ?? "";
+    return [control, edit ? splice(text, [edit]) : text];
+  });
+  return withTexts(work, { ...textsOf(work), ...Object.fromEntries(made) });
+}
+
+/** A step on whose other side these programs stand now: what followed from a step back is no step. */
+function standing(step: Step, other: Texts, now: Texts): Step {
+  return other === now ? step : { ...step, ...held(whole(step, other), now) };
+}
+
 /** Characters that a step holds and the step after it does not. */
-function weight(step: Step, next: Step | undefined): number {
-  const texts = Object.entries(step.work.program?.texts ?? {});
-  const held = next?.work.program?.texts;
-  return texts.filter(([one, text]) => held?.[one as Dialect] !== text).reduce((sum, [, text]) => sum + text.length, 0);
+function weight({ work, edits }: Step, next: Step | undefined): number {
+  const after = next && textsOf(next.work);
+  const texts = Object.entries(textsOf(work)).filter(([one, text]) => after?.[one as Dialect] !== text);
+  const inserts = Object.values(edits).map(edit => edit?.insert ?? "");
+  return [...texts.map(([, text]) => text), ...inserts].reduce((sum, text) => sum + text.length, 0);
 }
 
 /** The last steps, no more than can be kept. */
@@ -129,24 +166,29 @@ function bounded(steps: Step[]): Step[] {
 }
 
 /** The history with a step more, or with the last step longer by it. */
-export function withStep({ past }: History, told: Told, before: State, at: number): History {
-  const last = past.at(-1);
+export function withStep(history: History, told: Told, before: State, after: State, at: number): History {
+  const { texts } = after.program;
+  const [rest, last] = [history.past.slice(0, -1), history.past.at(-1)];
   const longer = last && told.subject && last.subject === told.subject && at - last.at < TOGETHER;
-  const step = { ...told, at, work: longer ? last.work : work(before) };
-  return { past: bounded([...(longer ? past.slice(0, -1) : past), step]), future: [] };
+  const began = longer ? whole(last, history.texts) : work(before);
+  const step = { ...told, at, ...held(began, texts) };
+  const done = last && !longer ? [standing(last, history.texts, before.program.texts)] : [];
+  return { past: bounded([...rest, ...done, step]), future: [], texts };
 }
 
 /** What goes back by so many steps, or forth where it is negative. */
 export function stepped(state: State, steps: number): Patch | null {
-  let { past, future } = state.history;
+  let { past, future, texts } = state.history;
   let now = work(state);
   for (let left = Math.abs(steps); left > 0; left--) {
     const [from, to] = steps > 0 ? [past, future] : [future, past];
     const step = from.at(-1);
     if (!step) return null;
-    const [rest, more] = [from.slice(0, -1), [...to, { ...step, work: now, subject: "" }]];
-    now = step.work;
+    const there = whole(step, texts);
+    texts = textsOf(there);
+    const [rest, more] = [from.slice(0, -1), [...to, { ...step, ...held(now, texts), subject: "" }]];
+    now = there;
     [past, future] = steps > 0 ? [rest, more] : [more, rest];
   }
-  return { ...now, history: { past, future } };
+  return { ...now, history: { past, future, texts } };
 }

@@ -53,7 +53,7 @@ export function movePlace(from: number | undefined, to: number): void {
 }
 
 /** Writes to where the file was opened from, once the user lets the page; never over what others wrote there since. */
-export async function writeBack(opened: number | undefined, bytes: Uint8Array<ArrayBuffer>): Promise<Written> {
+export async function writeBack(opened: number | undefined, content: Blob): Promise<Written> {
   const here = opened === undefined ? undefined : known.get(opened);
   if (!here) return "nowhere";
   const { place } = here;
@@ -61,7 +61,7 @@ export async function writeBack(opened: number | undefined, bytes: Uint8Array<Ar
     if (((await place.requestPermission?.({ mode: "readwrite" })) ?? "granted") !== "granted") return "denied";
     if ((await place.getFile()).lastModified !== here.changed) return "changed";
     const stream = await place.createWritable();
-    await stream.write(bytes);
+    await stream.write(content);
     await stream.close();
     here.changed = (await place.getFile()).lastModified;
     return "written";

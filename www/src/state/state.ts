@@ -5,6 +5,7 @@ import type { Pending } from "../core/pending";
 import type { Practised } from "../core/program";
 import type { SceneData } from "../core/scene";
 import type { Course } from "../core/steps";
+import type { Splice } from "../eol";
 import type { Theme } from "../theme";
 import type {
   BasicSystem,
@@ -27,6 +28,7 @@ import type {
   RunView,
   Setup,
   Style,
+  Supply,
   UnitFunction,
 } from "../wire";
 import type { BesideFile, Files, Refusal } from "./files";
@@ -88,6 +90,11 @@ export interface Converting {
 export interface CuringAll {
   code: string;
   key: string;
+}
+/** The machine is to get what the program lacks; `told`: what is said of it. */
+export interface Giving {
+  change: { give: Supply };
+  told: Message;
 }
 /**
  * Edits that are shown before they are made: they touch more than what is open, or all of it. They count while the
@@ -169,6 +176,7 @@ export interface DeskState {
   converting: Converting | null;
   converted: ConvertedCall | null;
   curing: CuringAll | null;
+  giving: Giving | null;
   proposed: Proposal | null;
   held: boolean; // something is being dragged: what that changes until its end is one step
 }
@@ -271,20 +279,28 @@ export interface StepName {
   args: Record<string, string | number>;
 }
 
-/** A step, and the work on its other side: before it what was done, after it what was undone. */
+/**
+ * A step, and the work on its other side: before it what was done, after it what was undone. Of long programs it has
+ * what makes them of those on this side; null: they are the same.
+ */
 export interface Step {
   name: StepName;
   work: Patch;
+  edits: Partial<Record<Dialect, Splice | null>>;
   /** When it ended, ms. */
   at: number;
   /** What goes on with the same thing soon is the same step; empty: nothing does. */
   subject: string;
 }
 
-/** The steps that were done, and those that were undone; the last one of each is the next. */
+/**
+ * The steps that were done, and those that were undone; the last one of each is the next. `texts`: the programs that
+ * stand between them.
+ */
 export interface History {
   past: Step[];
   future: Step[];
+  texts: ProgramState["texts"];
 }
 
 export interface State {
@@ -377,6 +393,7 @@ export function firstState(): State {
       converting: null,
       converted: null,
       curing: null,
+      giving: null,
       proposed: null,
       held: false,
     },
@@ -432,7 +449,7 @@ export function firstState(): State {
       changed: 0,
       others: NOBODY,
     },
-    history: { past: [], future: [] },
+    history: { past: [], future: [], texts: {} },
   };
 }
 

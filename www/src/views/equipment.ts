@@ -10,7 +10,7 @@ import { el, on, setAttribute, setText } from "../dom";
 import { type IconName, iconPart } from "../icons";
 import { meantBy } from "../keys";
 import { plain } from "../numbers";
-import { profile, programMachine, programOf, type State } from "../state/state";
+import { profile, programMachine, type State } from "../state/state";
 import type { Store } from "../state/store";
 import { optional, say, t } from "../texts";
 import { unlessTyping } from "../unless-typing";
@@ -93,7 +93,6 @@ export function createEquipment(
     return (
       core()?.equip({
         control,
-        text: programOf(state),
         ...machine,
         ...(change ? { change } : {}),
         ...(change === "measured" ? { call: { ...callOf(state), ...machine } } : {}),

@@ -7,12 +7,13 @@ import { isCurrent } from "../desk/program";
 import { el, on, setAttribute, setText, show } from "../dom";
 import type { CodeValue, EditorHost, LineMarks, Shown } from "../editor/editor";
 import type { EditorPlace } from "../editor/place";
-import { type Encoding, encode } from "../encoding";
+import { type Encoding, encodeInPieces } from "../encoding";
 import { lineBreak, toEditor, toProgram } from "../eol";
 import { type IconName, icon } from "../icons";
 import { ariaKey } from "../keys";
+import { sliced } from "../pace";
 import { fileOf, saveFile } from "../state/files";
-import { markOf } from "../state/mark";
+import { markInPieces } from "../state/mark";
 import { ENDINGS, pickPlaces, writeBack } from "../state/places";
 import { isUnsaved } from "../state/saved";
 import { inFocus, programOf, type State } from "../state/state";
@@ -82,15 +83,13 @@ export function createProgram(
     store.flush(); // what was typed last
     const { name, encoding, opened } = fileOf(store.state);
     const { control } = store.state.form;
-    const bytes = encode(text, encoding);
-    if (!bytes) {
-      origin.refuse();
-      return;
-    }
-    const mark = markOf(text, encoding);
+    const program = text;
     saving = saving.then(async () => {
-      const written = await writeBack(opened, bytes);
-      if (written !== "written") saveFile(bytes, name);
+      const content = await encodeInPieces(program, encoding, sliced());
+      if (!content) return origin.refuse();
+      const mark = await markInPieces(program, encoding, sliced());
+      const written = await writeBack(opened, content);
+      if (written !== "written") saveFile(content, name);
       if (written !== "nowhere") store.update({ page: { notice: `notice-${written}` } });
       actions.saved(control, opened, mark);
     });

@@ -10,6 +10,7 @@ use probewright_core::{app, json, syntax};
 use std::io::Write;
 use std::path::PathBuf;
 use std::process::ExitCode;
+use std::sync::Arc;
 
 /// What is read.
 #[derive(clap::Args)]
@@ -26,7 +27,7 @@ pub struct Arguments {
 /// Lists the measuring calls of a program.
 pub fn read(asked: &Arguments, words: &Words, out: &mut dyn Write) -> Result<ExitCode, Problem> {
     let joined = Joined::read(&asked.file, &asked.with, asked.control)?;
-    let program = syntax::read(joined.dialect, &joined.text);
+    let program = syntax::read_held(joined.dialect, &joined.text, &Arc::default(), &mut |_| {});
     if asked.json {
         file::print_json(json::document(&app::calls(&program)), words, out)?;
         return Ok(ExitCode::SUCCESS);
