@@ -1421,6 +1421,8 @@ export type PracticeMask = {
   fields: Array<PracticeField>,
   /** Lines of the left part, in their order. */
   shows: Array<PracticeShow>,
+  /** What to do: sections of its help, in order. */
+  help: Array<HelpSection>,
 };
 
 /** What lies on the table. */

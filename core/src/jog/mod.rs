@@ -7,6 +7,7 @@ mod calculate;
 mod calibrating;
 pub mod chance;
 pub mod evaluate;
+pub mod help;
 pub mod mask;
 pub mod masks;
 pub mod offset;

@@ -112,3 +112,11 @@ fn masks_are_listed_with_what_their_fields_take() {
     assert!(told.contains("Corner (corner): outside, inside\n"), "{told}");
     assert!(!told.contains("jog-"), "{told}");
 }
+
+// oracle: hand (B:3015)
+#[test]
+fn a_mask_is_explained() {
+    let told = out(&probewright(&["explain", "set_edge"]));
+    assert!(told.starts_with("set_edge: Set edge\n\nWhat it measures\n  The position of a paraxial edge"), "{told}");
+    assert!(told.contains("\n  Possible alarms: 61016, "), "{told}");
+}

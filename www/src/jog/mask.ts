@@ -6,7 +6,7 @@ import type { Practice } from "../desk/practice";
 import { iconPart } from "../icons";
 import { plain } from "../numbers";
 import type { JogState, State } from "../state/state";
-import { say, t } from "../texts";
+import { hasHelp, helpWords, say, t } from "../texts";
 import type {
   Message,
   PracticeArea,
@@ -117,10 +117,44 @@ function opened(jog: JogState, seen: PracticeView, mask: PracticeMask, practice:
           </div>`
         : nothing
     }
+    ${toDo(mask, practice)}
     ${seen.activation ? activation(jog, seen, practice) : fields(jog, mask.fields, practice)}
     ${seen.points.length ? softkeys(seen, practice) : nothing}
     ${keys(jog, seen, practice)}
     ${results(mask.shows)} ${deviation(seen)} ${written(seen)}
+  `;
+}
+
+let failed = false;
+
+/** The help of the mask, folded: its words come when it is opened for the first time. */
+function toDo(mask: PracticeMask, practice: Practice): TemplateResult {
+  const redraw = (): void => practice.change({});
+  const fetchWords = ({ target }: Event): void => {
+    if (!(target as HTMLDetailsElement).open || hasHelp()) return;
+    failed = false;
+    helpWords()
+      .catch((problem: unknown) => {
+        console.error(problem);
+        failed = true;
+      })
+      .finally(redraw);
+  };
+  const note = html`<p class="jog-quiet">${t(failed ? "help-absent" : "help-coming")}</p>`;
+  const sections = (): TemplateResult[] =>
+    mask.help.map(
+      ({ label, lines }) => html`
+        <h4>${say(label)}</h4>
+        <ul>
+          ${lines.map(({ message, source }) => html`<li>${say(message)} <small>${source}</small></li>`)}
+        </ul>
+      `,
+    );
+  return html`
+    <details class="jog-help" @toggle=${fetchWords}>
+      <summary>${t("practice-to-do")}</summary>
+      ${hasHelp() ? sections() : note}
+    </details>
   `;
 }
 

@@ -5,15 +5,18 @@ use super::view::{
     PracticeFunction, PracticeKeys, PracticeMachine, PracticeMask, PracticePoint, PracticeShow, PracticeUse,
     PracticeWord,
 };
+use crate::app::help::{HelpSection, HelpText};
 use crate::app::jog::stored;
 use crate::control::{AXES, Control, Plane, ROTARY, Store};
 use crate::jog::activation::Activation;
+use crate::jog::help::{self, Line};
 use crate::jog::mask::{Area, Field, Function, Kind, Mask, Show, key};
 use crate::jog::practice::piece;
 use crate::jog::shadow::Deviation;
 use crate::jog::states::Key;
 use crate::jog::values::{Value, words};
 use crate::jog::{FUNCTIONS, Session, settings};
+use crate::manual::Cited;
 use crate::message::Message;
 
 /// The functions under their softkeys.
@@ -50,7 +53,16 @@ pub(super) fn shown(session: &Session, mask: &'static Mask) -> PracticeMask {
     });
     let label = Message::new(key("mask", mask.name));
     let shows = mask.shows.iter().filter_map(|show| line(session, *show)).collect();
-    PracticeMask { name: mask.name, label, fields: fields.collect(), shows }
+    PracticeMask { name: mask.name, label, fields: fields.collect(), shows, help: told_help(mask) }
+}
+
+fn told_help(mask: &Mask) -> Vec<HelpSection> {
+    let line = |line: &'static Line| HelpText { message: Message::new(line.key), source: Cited(line.source) };
+    let section = |(heading, lines): (&'static str, Vec<&'static Line>)| HelpSection {
+        label: Message::new(heading),
+        lines: lines.into_iter().map(line).collect(),
+    };
+    help::help(mask).into_iter().map(section).collect()
 }
 
 fn asked(session: &Session, field: &'static Field) -> PracticeField {

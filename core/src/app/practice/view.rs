@@ -1,6 +1,7 @@
 //! Practising to measure in JOG: what is asked, and what is on the screen and under the hand then.
 
 use crate::app::changes::Change;
+use crate::app::help::HelpSection;
 use crate::app::jog::JogPoint;
 use crate::app::outcome::Raised;
 use crate::app::predict::PartSliders;
@@ -135,6 +136,8 @@ pub struct PracticeMask {
     pub fields: Vec<PracticeField>,
     /// Lines of the left part, in their order.
     pub shows: Vec<PracticeShow>,
+    /// What to do: sections of its help, in order.
+    pub help: Vec<HelpSection>,
 }
 
 /// A field of a mask or of the activation screen.
