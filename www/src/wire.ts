@@ -967,6 +967,31 @@ export type HelpView = {
   alarms: Array<AlarmInfo>,
 };
 
+/**
+ * What NC start would do from where the probe is, with Calculate where it stores the last point; what Calculate would
+ * do where all are stored.
+ */
+export type JogAhead = {
+  /** Whether NC start is the next key; else Calculate. */
+  start: boolean,
+  /** The point that would be stored, `P2`. */
+  point?: string,
+  /** Positions at which the probe would switch, in the WCS of the measurement, mm. */
+  touches: [number, number, number][],
+  /** The alarm that would come, or what would be hit. */
+  raised?: Raised,
+  /** Why nothing comes of the points. */
+  refused?: Message,
+  /** What the user should know of the touches. */
+  notes: Message[],
+  /** Results that would be shown. */
+  results: JogResult[],
+  /** What would be written. */
+  changes: Change[],
+  /** Whether the activation screen would come up. */
+  activates: boolean,
+};
+
 /** A point that was stored. */
 export type JogPoint = {
   /** `P1`. */
@@ -975,6 +1000,18 @@ export type JogPoint = {
   touch?: [number, number, number],
   /** Centre in abscissa and ordinate, mm, where it is an element. */
   centre?: [number, number],
+};
+
+/** A result. */
+export type JogResult = {
+  /** `meas_x0`. */
+  name: string,
+  /** As the mask shows it. */
+  label: Message,
+  /** Value, mm or degree. */
+  value: number,
+  /** `mm` or `deg`. */
+  unit: string,
 };
 
 /** What is on the screen. */
@@ -1508,6 +1545,8 @@ export type PracticeView = {
   machine: PracticeMachine,
   /** The piece of the machine to practise on; absent: the machine is the user's. */
   piece?: PracticePiece,
+  /** What the next key would do. */
+  ahead?: JogAhead,
   /** How the part lies. */
   truth: Truth,
   /** How far the zero offset that the mask wrote is from where it should be. */

@@ -141,6 +141,19 @@ jog-show-measuring = Beim Messen aktiv
 
 jog-crash-hint = Achse in Gegenrichtung freifahren, dann mit kleinerem Schrittmaß anfahren.
 
+jog-ahead-start = NC-Start würde
+jog-ahead-calculate = Berechnen würde
+jog-ahead-touch = bei { $place } antasten
+jog-ahead-store = { $point } speichern
+jog-ahead-raise = Alarm { $alarm } auslösen: { $text }
+jog-ahead-stop = anhalten: { $text }
+jog-ahead-refuse = nichts berechnen: { $text }
+jog-ahead-write = { $label } schreiben: { $before } → { $after }
+jog-ahead-show = { $label } = { $value } anzeigen
+jog-ahead-activates = fragen, ob die Nullpunktverschiebung aktiviert werden soll
+jog-ahead-nothing = weder Nullpunktverschiebung noch Werkzeugdaten schreiben
+jog-ahead-none = NC-Start und Berechnen würden jetzt nichts messen.
+
 # Hilfe der Masken: was mehrere gemeinsam haben, dann jede für sich.
 
 jog-help-probe-before = Der Messtaster ist in der Spindel, seine D-Nummer ist aktiv, er ist abgeglichen. Der Vorschub-Override steht wie beim Abgleichen: Sonst ist das Ergebnis ungenauer.

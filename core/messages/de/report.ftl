@@ -140,6 +140,7 @@ terminal-scan-surface-text = Datei für die Punkte der Fläche, als Zeilen X Y Z
 terminal-script-text = Skript: eine Zeile je Taste, Wert oder Bewegung, zum Beispiel „mask set_edge“, „zo = G54“, „move X-20 Y10“, „start“
 terminal-jog-setup-text = Datei mit der Maschineneinrichtung, mit Messtaster, Werkstück und NV, siehe docs/setup.schema.json
 terminal-random-text = Werkstück zufällig legen: verschoben, gedreht, in anderer Größe; dieselbe Zahl ergibt dasselbe Werkstück
+terminal-what-if-text = Auch sagen, was die nächste Taste, NC-Start oder Berechnen, am Ende des Skripts täte
 terminal-masks-text = Masken mit ihren Feldern auflisten, und was diese annehmen
 terminal-help-text = Hilfe anzeigen
 terminal-version-text = Version anzeigen

@@ -141,6 +141,19 @@ jog-show-measuring = Active while measuring
 
 jog-crash-hint = Move the axis back in the opposite direction, then approach with a smaller increment.
 
+jog-ahead-start = NC start would
+jog-ahead-calculate = Calculate would
+jog-ahead-touch = touch at { $place }
+jog-ahead-store = store { $point }
+jog-ahead-raise = raise alarm { $alarm }: { $text }
+jog-ahead-stop = stop: { $text }
+jog-ahead-refuse = calculate nothing: { $text }
+jog-ahead-write = write { $label }: { $before } → { $after }
+jog-ahead-show = show { $label } = { $value }
+jog-ahead-activates = ask whether to activate the zero offset
+jog-ahead-nothing = write no zero offset and no tool data
+jog-ahead-none = There is nothing that NC start or Calculate would measure now.
+
 # Help of the masks: what several have in common, then each by itself.
 
 jog-help-probe-before = The probe is in the spindle with its D number active, and it is calibrated. The feed override is as at calibration: at another one the result is less accurate.

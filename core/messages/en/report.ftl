@@ -144,6 +144,7 @@ terminal-scan-surface-text = File for the points of the surface, as lines X Y Z 
 terminal-script-text = Script: a line for each key, value or motion, for example “mask set_edge”, “zo = G54”, “move X-20 Y10”, “start”
 terminal-jog-setup-text = Setup file of the machine, with probe, part and zero offsets, see docs/setup.schema.json
 terminal-random-text = Place the part at random: moved, rotated, of another size; the same number makes the same part
+terminal-what-if-text = Also tell what the next key, NC start or Calculate, would do at the end of the script
 terminal-masks-text = List the masks with their fields, and what they take
 terminal-help-text = Show help
 terminal-version-text = Show the version

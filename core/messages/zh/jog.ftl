@@ -141,6 +141,19 @@ jog-show-measuring = 测量时生效的零点偏移
 
 jog-crash-hint = 请反方向移开该轴，再用较小的增量靠近。
 
+jog-ahead-start = 若按 NC 启动，将会
+jog-ahead-calculate = 若按“计算”，将会
+jog-ahead-touch = 在 { $place } 处触碰
+jog-ahead-store = 存储 { $point }
+jog-ahead-raise = 发出报警 { $alarm }：{ $text }
+jog-ahead-stop = 停止：{ $text }
+jog-ahead-refuse = 无法计算：{ $text }
+jog-ahead-write = 写入 { $label }：{ $before } → { $after }
+jog-ahead-show = 显示 { $label } = { $value }
+jog-ahead-activates = 询问是否激活零点偏移
+jog-ahead-nothing = 不写入零点偏移和刀具数据
+jog-ahead-none = 现在按 NC 启动或“计算”都不会测量。
+
 # 输入画面的帮助：先是多个画面共有的内容，然后逐个说明。
 
 jog-help-probe-before = 测头在主轴中，其 D 号有效，并且已校准。进给倍率与校准时相同：否则结果不够准确。

@@ -140,6 +140,7 @@ terminal-scan-surface-text = 曲面点文件，每行 X Y Z，单位 mm：已扣
 terminal-script-text = 脚本：每行一个按键、数值或移动，例如“mask set_edge”、“zo = G54”、“move X-20 Y10”、“start”
 terminal-jog-setup-text = 机床配置文件，含测头、工件和零点偏移，见 docs/setup.schema.json
 terminal-random-text = 随机放置工件：移动、旋转、尺寸不同；同一数字得到同一工件
+terminal-what-if-text = 同时说明脚本结束后下一个按键（NC 启动或“计算”）将会做什么
 terminal-masks-text = 列出输入画面及其字段和可输入的内容
 terminal-help-text = 显示帮助
 terminal-version-text = 显示版本

@@ -127,3 +127,54 @@ fn what_is_hit_stops_and_is_left_backwards() {
     assert_eq!((view.raised, view.state), (None, State::Mask));
     near(view.machine.mcs[0], -4.0, "X");
 }
+
+/// What the next key would do, and what it does.
+fn before_and_after(piece: Piece, script: &str, keys: &str) -> (JogAhead, PracticeView) {
+    let ahead = seen(asked(piece, script)).ahead.unwrap();
+    (ahead, seen(asked(piece, &format!("{script}{keys}"))))
+}
+
+// oracle: self: what is told before is what happens then
+#[test]
+fn what_would_happen_happens() {
+    let edge = EDGE.strip_suffix("start\n").unwrap();
+    let (ahead, after) = before_and_after(Piece::Block, edge, "start\n");
+    assert_eq!((ahead.start, ahead.point, ahead.activates), (true, None, after.state == State::Activate));
+    assert_eq!(ahead.changes, after.changes);
+    assert_eq!((ahead.raised, ahead.refused), (None, None));
+    let shown = after.mask.unwrap().shows;
+    near(ahead.results[0].value, shown.last().unwrap().figures[0].value, "meas X0");
+    // the left face lies at X 0 and the ball has a radius of 3
+    assert_eq!(ahead.touches.len(), 1);
+    near(ahead.touches[0][0], -3.0, "X");
+    // the last of three points, with Calculate
+    let corner = CORNER.strip_suffix("start\ncalculate\n").unwrap();
+    let (ahead, after) = before_and_after(Piece::Block, corner, "start\ncalculate\n");
+    assert_eq!((ahead.point.as_deref(), &ahead.changes), (Some("P3"), &after.changes));
+    assert!(!ahead.changes.is_empty() && ahead.results.len() == 3);
+    let (ahead, after) = before_and_after(Piece::Block, &format!("{corner}start\n"), "calculate\n");
+    assert_eq!((ahead.start, ahead.touches.len(), ahead.changes), (false, 0, after.changes));
+    // not the last one
+    let (ahead, after) = before_and_after(Piece::Block, "mask align_edge\nmove X-20 Z-8\n", "start\n");
+    assert_eq!((ahead.point.as_deref(), ahead.results.len(), ahead.changes.len()), (Some("P1"), 0, 0));
+    assert_eq!(Some(ahead.touches[0]), after.points[0].stored.as_ref().unwrap().touch);
+    // four touches of a hole
+    let hole = "mask hole_1\ndiameter = 40\nmove Z-8\n";
+    assert_eq!(seen(asked(Piece::Hole, hole)).ahead.unwrap().touches.len(), 4);
+}
+
+// oracle: hand: nothing is within twice the measuring path; the probe is to be calibrated as it is used (B:13669)
+#[test]
+fn what_would_go_wrong_is_told() {
+    let far = "mask set_edge\nzo = G54\nmove Z-8\nmove X-300\n";
+    let (ahead, after) = before_and_after(Piece::Block, far, "start\n");
+    assert_eq!(ahead.raised.as_ref().unwrap().code, "61301");
+    assert_eq!((ahead.raised, ahead.changes.len(), ahead.results.len()), (after.raised, 0, 0));
+    let other = "mask set_edge\nset _WP[0,9] = 18\n";
+    assert_eq!(seen(asked(Piece::Block, other)).ahead.unwrap().raised.unwrap().code, "61341");
+    let same = "mask align_edge\nref_axis = Y\nmove X-20 Z-8\nstart\n";
+    assert_eq!(seen(asked(Piece::Block, same)).ahead.unwrap().refused.unwrap().key, "jog-same-place");
+    // in the menu, and where a field is wrong, there is nothing to tell
+    assert_eq!(seen(asked(Piece::Block, "")).ahead, None);
+    assert_eq!(seen(asked(Piece::Hole, "mask cal_radius\nset E_MESS_CAL_D[0] = 0\n<<\nmask cal_radius\n")).ahead, None);
+}

@@ -5,11 +5,12 @@ mod view;
 
 pub use view::{
     PracticeActivation, PracticeArea, PracticeChoice, PracticeDeviation, PracticeField, PracticeFigure,
-    PracticeFunction, PracticeKeys, PracticeMachine, PracticeMask, PracticePoint, PracticeRefusal, PracticeRequest,
-    PracticeShow, PracticeUse, PracticeView, PracticeWord,
+    PracticeFunction, PracticeKeys, PracticeMachine, PracticeMask, PracticePoint, PracticeRefusal,
+    PracticeRequest, PracticeShow, PracticeUse, PracticeView, PracticeWord,
 };
 
 use super::Error;
+use super::ahead::ahead;
 use super::changes::Change;
 use super::jog::{act, changed, note};
 use super::outcome::Raised;
@@ -34,6 +35,12 @@ use crate::scene::Source;
 /// # Errors
 /// A control that does not measure in JOG, or a machine that cannot be.
 pub fn practise(asked: PracticeRequest) -> Result<(PracticeView, Source), Error> {
+    let (stands, course, refused) = carried_out(asked)?;
+    Ok(course.seen(stands, refused))
+}
+
+/// A session as far as its lines can be carried out, and why not all of them.
+fn carried_out(asked: PracticeRequest) -> Result<(Stands, Course, Option<PracticeRefusal>), Error> {
     if !measures(asked.control) {
         return Err(Error::new("jog-no-jog", Path::of(&["control"])));
     }
@@ -48,7 +55,7 @@ pub fn practise(asked: PracticeRequest) -> Result<(PracticeView, Source), Error>
             break;
         }
     }
-    Ok(course.seen(stands, refused))
+    Ok((stands, course, refused))
 }
 
 /// The machine on which is practised.
@@ -181,6 +188,7 @@ impl Course {
             plc: session.plc(),
             machine: screen::machine(session),
             piece: stands.piece,
+            ahead: ahead(session),
             truth: self.truth,
             deviation: self.deviation.map(|(store, deviation)| screen::told(&session.sim.control, store, deviation)),
             changes: self.changes,

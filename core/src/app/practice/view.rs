@@ -1,5 +1,6 @@
 //! Practising to measure in JOG: what is asked, and what is on the screen and under the hand then.
 
+use crate::app::ahead::JogAhead;
 use crate::app::changes::Change;
 use crate::app::help::HelpSection;
 use crate::app::jog::JogPoint;
@@ -66,6 +67,9 @@ pub struct PracticeView {
     /// The piece of the machine to practise on; absent: the machine is the user's.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub piece: Option<Piece>,
+    /// What the next key would do.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ahead: Option<JogAhead>,
     /// How the part lies.
     pub truth: Truth,
     /// How far the zero offset that the mask wrote is from where it should be.
