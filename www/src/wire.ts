@@ -1352,6 +1352,14 @@ export type PracticeActivation = {
   fields: Array<PracticeField>,
 };
 
+/** How the probe gets in front of a face. */
+export type PracticeApproach = {
+  /** The line of a script that moves it there; absent, where nothing is refused: it is there. */
+  line?: string,
+  /** Why it cannot get there. */
+  refused?: Message,
+};
+
 /** A softkey of the vertical bar. */
 export type PracticeArea = {
   /** What it says. */
@@ -1376,6 +1384,16 @@ export type PracticeDeviation = {
   offset: string,
   /** Along the axes, mm, then about them, degree. */
   figures: Array<PracticeFigure>,
+};
+
+/** A face of the part in front of which the probe is put. */
+export type PracticeFace = {
+  /** The session so far. */
+  practice: PracticeRequest,
+  /** A point of the face, X Y Z of the machine, mm. */
+  at: [number, number, number],
+  /** Direction out of the part there, X Y Z of the machine. */
+  normal: [number, number, number],
 };
 
 /** A field of a mask or of the activation screen. */

@@ -154,6 +154,10 @@ jog-ahead-activates = fragen, ob die Nullpunktverschiebung aktiviert werden soll
 jog-ahead-nothing = weder Nullpunktverschiebung noch Werkzeugdaten schreiben
 jog-ahead-none = NC-Start und Berechnen würden jetzt nichts messen.
 
+jog-face-below = Diese Fläche ist von oben nicht erreichbar. Eine Fläche wählen, die der Messtaster sieht.
+jog-face-nothing = Hier ist keine Fläche des Werkstücks. Auf das Werkstück zeigen.
+jog-face-no-probe = Kein Messtaster ist in der Spindel. Zuerst einwechseln.
+
 # Hilfe der Masken: was mehrere gemeinsam haben, dann jede für sich.
 
 jog-help-probe-before = Der Messtaster ist in der Spindel, seine D-Nummer ist aktiv, er ist abgeglichen. Der Vorschub-Override steht wie beim Abgleichen: Sonst ist das Ergebnis ungenauer.

@@ -154,6 +154,10 @@ jog-ahead-activates = ask whether to activate the zero offset
 jog-ahead-nothing = write no zero offset and no tool data
 jog-ahead-none = There is nothing that NC start or Calculate would measure now.
 
+jog-face-below = This face cannot be reached from above. Choose a face that is visible to the probe.
+jog-face-nothing = There is no face of the part. Point at the part.
+jog-face-no-probe = There is no probe in the spindle. Take it into the spindle first.
+
 # Help of the masks: what several have in common, then each by itself.
 
 jog-help-probe-before = The probe is in the spindle with its D number active, and it is calibrated. The feed override is as at calibration: at another one the result is less accurate.

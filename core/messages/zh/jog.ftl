@@ -154,6 +154,10 @@ jog-ahead-activates = 询问是否激活零点偏移
 jog-ahead-nothing = 不写入零点偏移和刀具数据
 jog-ahead-none = 现在按 NC 启动或“计算”都不会测量。
 
+jog-face-below = 从上方够不到此面。请选择测头可到达的面。
+jog-face-nothing = 此处没有工件表面。请指向工件。
+jog-face-no-probe = 主轴中没有测头。请先将其换入主轴。
+
 # 输入画面的帮助：先是多个画面共有的内容，然后逐个说明。
 
 jog-help-probe-before = 测头在主轴中，其 D 号有效，并且已校准。进给倍率与校准时相同：否则结果不够准确。

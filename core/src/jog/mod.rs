@@ -3,6 +3,7 @@
 //! B:2608).
 
 pub mod activation;
+pub mod approach;
 mod calculate;
 mod calibrating;
 pub mod chance;

@@ -178,3 +178,58 @@ fn what_would_go_wrong_is_told() {
     assert_eq!(seen(asked(Piece::Block, "")).ahead, None);
     assert_eq!(seen(asked(Piece::Hole, "mask cal_radius\nset E_MESS_CAL_D[0] = 0\n<<\nmask cal_radius\n")).ahead, None);
 }
+
+/// The line that puts the probe in front of a face, or why there is none.
+fn faced(piece: Piece, script: &str, at: [f64; 3], normal: [f64; 3]) -> Result<Option<String>, String> {
+    let told = approach(PracticeFace { practice: asked(piece, script), at, normal }).unwrap();
+    told.refused.map_or(Ok(told.line), |why| Err(why.key.into_owned()))
+}
+
+// oracle: hand: half of E_MESS_D_M = 50 mm and the radius of 3 mm before a face; the block is from X 0 Y 0 Z -40 to
+// X 100 Y 80 Z 0 and the probe comes from X -30 Y 40 Z 30
+#[test]
+fn the_probe_gets_in_front_of_a_face() {
+    let block = |at, normal| faced(Piece::Block, "mask set_edge\nzo = G54\n", at, normal).unwrap().unwrap();
+    let right = block([100.0, 30.0, -8.0], [1.0, 0.0, 0.0]);
+    assert!(right.starts_with("move machine X128 Y30 Z-"), "{right}");
+    let front = block([20.0, 0.0, -8.0], [0.0, -1.0, 0.0]);
+    assert!(front.starts_with("move machine X20 Y-28 Z-"), "{front}");
+    // the line is carried out, and what is measured there is the face
+    let script = format!("mask set_edge\nzo = G54\ndirection = -\n{right}\n");
+    let view = seen(asked(Piece::Block, &script));
+    assert_eq!((view.raised, view.refused), (None, None));
+    near(view.ahead.unwrap().results[0].value, 100.0, "right face");
+    assert_eq!(faced(Piece::Block, &script, [100.0, 30.0, -8.0], [1.0, 0.0, 0.0]), Ok(None), "it is there");
+    // a probe that is deep beside the block first goes up
+    let beside = format!("{script}mask set_edge\n");
+    let left = faced(Piece::Block, &beside, [0.0, 30.0, -8.0], [-1.0, 0.0, 0.0]).unwrap().unwrap();
+    let view = seen(asked(Piece::Block, &format!("{beside}{left}\n")));
+    assert!(left.starts_with("move machine Z") && view.raised.is_none(), "{left}: {:?}", view.raised);
+    near(view.machine.mcs[0], -28.0, "X");
+}
+
+// oracle: hand: a hole of 40 mm about X 50 Y 40 is measured from its middle
+#[test]
+fn an_element_is_measured_from_inside_its_middle() {
+    let script = "mask hole_1\ndiameter = 40\n";
+    let line = faced(Piece::Hole, script, [70.0, 40.0, -10.0], [-1.0, 0.0, 0.0]).unwrap().unwrap();
+    let view = seen(asked(Piece::Hole, &format!("{script}{line}\n")));
+    assert_eq!((view.raised, view.refused), (None, None), "{line}");
+    assert!((view.machine.mcs[0] - 50.0).abs() < 0.01 && (view.machine.mcs[1] - 40.0).abs() < 0.01, "{line}");
+    assert!(view.ahead.unwrap().raised.is_none());
+}
+
+// oracle: hand
+#[test]
+fn what_cannot_be_reached_is_told() {
+    let edge = "mask set_edge\n";
+    for (piece, script, at, normal, key) in [
+        (Piece::Block, edge, [50.0, 40.0, -40.0], [0.0, 0.0, -1.0], "jog-face-below"),
+        (Piece::Block, edge, [50.0, 40.0, 0.0], [0.0; 3], "jog-face-nothing"),
+        (Piece::Block, edge, [1e300, 40.0, 0.0], [0.0, 0.0, 1.0], "jog-face-nothing"),
+        (Piece::Block, "tool T0\n", [50.0, 40.0, 0.0], [0.0, 0.0, 1.0], "jog-face-no-probe"),
+        (Piece::Probe, "", [50.0, 40.0, 50.0], [0.0, 0.0, 1.0], "jog-face-no-probe"),
+    ] {
+        assert_eq!(faced(piece, script, at, normal), Err(key.to_owned()), "{piece:?} {at:?}");
+    }
+}

@@ -4,8 +4,8 @@ mod screen;
 mod view;
 
 pub use view::{
-    PracticeActivation, PracticeArea, PracticeChoice, PracticeDeviation, PracticeField, PracticeFigure,
-    PracticeFunction, PracticeKeys, PracticeMachine, PracticeMask, PracticePoint, PracticeRefusal,
+    PracticeActivation, PracticeApproach, PracticeArea, PracticeChoice, PracticeDeviation, PracticeFace, PracticeField,
+    PracticeFigure, PracticeFunction, PracticeKeys, PracticeMachine, PracticeMask, PracticePoint, PracticeRefusal,
     PracticeRequest, PracticeShow, PracticeUse, PracticeView, PracticeWord,
 };
 
@@ -18,7 +18,8 @@ use super::predict::PartSliders;
 use super::start::{Machine, start};
 use crate::control::Store;
 use crate::dialect::Dialect;
-use crate::geometry::Rpy;
+use crate::geometry::{Dir, Mcs, Rpy};
+use crate::jog::approach;
 use crate::jog::chance::Truth;
 use crate::jog::practice::{self, Piece};
 use crate::jog::script::{Command, Line, Wrong, read};
@@ -37,6 +38,19 @@ use crate::scene::Source;
 pub fn practise(asked: PracticeRequest) -> Result<(PracticeView, Source), Error> {
     let (stands, course, refused) = carried_out(asked)?;
     Ok(course.seen(stands, refused))
+}
+
+/// How the probe gets in front of a face of the part.
+///
+/// # Errors
+/// As of a session.
+pub fn approach(asked: PracticeFace) -> Result<PracticeApproach, Error> {
+    let (_, course, _) = carried_out(asked.practice)?;
+    let found = approach::to_face(&course.session, Mcs(asked.at), Dir::new(asked.normal));
+    Ok(match found {
+        Ok(line) => PracticeApproach { line, refused: None },
+        Err(message) => PracticeApproach { line: None, refused: Some(message) },
+    })
 }
 
 /// A session as far as its lines can be carried out, and why not all of them.

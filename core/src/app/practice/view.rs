@@ -34,6 +34,30 @@ pub struct PracticeRequest {
     pub part: Option<PartSliders>,
 }
 
+/// A face of the part in front of which the probe is put.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct PracticeFace {
+    /// The session so far.
+    pub practice: PracticeRequest,
+    /// A point of the face, X Y Z of the machine, mm.
+    pub at: [f64; 3],
+    /// Direction out of the part there, X Y Z of the machine.
+    pub normal: [f64; 3],
+}
+
+/// How the probe gets in front of a face.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
+pub struct PracticeApproach {
+    /// The line of a script that moves it there; absent, where nothing is refused: it is there.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub line: Option<String>,
+    /// Why it cannot get there.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub refused: Option<Message>,
+}
+
 /// What is on the screen and under the hand.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]

@@ -132,6 +132,8 @@ fn the_types_of_the_page_are_those_of_the_core() {
     types.visit::<Recognised>();
     types.visit::<PracticeRequest>();
     types.visit::<PracticeView>();
+    types.visit::<PracticeFace>();
+    types.visit::<PracticeApproach>();
     types.visit::<crate::scene::View>();
     let texts: String = types.texts.into_values().collect();
     let text = format!("{HEAD}{texts}");
