@@ -4,7 +4,7 @@ import { html, nothing, render, type TemplateResult } from "lit-html";
 import { live } from "lit-html/directives/live.js";
 import type { Practice } from "../desk/practice";
 import { iconPart } from "../icons";
-import { plain } from "../numbers";
+import { fixed, plain } from "../numbers";
 import type { JogState, State } from "../state/state";
 import { hasHelp, helpWords, say, t } from "../texts";
 import type {
@@ -164,7 +164,7 @@ function ahead({ ahead: next, raised: now }: PracticeView): TemplateResult | typ
   if (!next || now) return nothing;
   const { start, point, touches, raised: why, refused, notes, results: shown, changes, activates } = next;
   const place = (at: readonly number[]): string =>
-    at.map((value, axis) => figureText({ axis: "XYZ".charAt(axis), value, unit: "mm" })).join(", ");
+    `${at.map((value, axis) => `${"XYZ".charAt(axis)} ${fixed(value, 3)}`).join(", ")} ${t("unit-mm")}`;
   const item = (kind: string, text: string): { kind: string; text: string } => ({ kind, text });
   const ofUnit = (name: string): string => (name ? ` ${t(`unit-${name}`)}` : "");
   const items = [
