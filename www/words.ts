@@ -29,7 +29,7 @@ function firstCycle(catalogue: string): string {
 /** Where a message of the core belongs; help pages are long and read by few. `first`: the file of the first cycle. */
 function partOf(file: string, message: string, first: string): Part | null {
   if (file === TERMINAL) return null;
-  if (message.startsWith("help-")) return "help";
+  if (/^(jog-)?help-/.test(message)) return "help";
   const later = LATER_FILES.includes(file) || (OF_CYCLE.test(file) && file !== first) || LATER_WORDS.test(message);
   return later ? "later" : "first";
 }

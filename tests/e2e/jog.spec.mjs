@@ -113,6 +113,58 @@ describe("an edge", () => {
   });
 });
 
+describe("before NC start", () => {
+  const ahead = (page, kind) => page.locator(`.jog-ahead [data-ahead="${kind}"]`);
+  const figures = page => page.locator(".jog-position").allTextContents();
+
+  // oracle: hand: the block is from X 0 Y 0 to X 100 Y 80 with its upper face at Z 0; E_MESS_D_M is 50 mm, the ball has
+  // a radius of 3 mm
+  test("the help is read, a face is clicked, and what would be written is written", async () => {
+    const { context, page, problems } = await open(chrome.browser, { path: "#jog", serviceWorkers: "block" });
+    await page.locator("[data-function=set_edge]").click();
+    await page.locator(".jog-help summary").click();
+    await page.locator(".jog-help li").getByText("in front of the edge").waitFor();
+    assert.deepEqual([...(await faults(page)), ...(await small(page))], []);
+    await page.locator(".jog-help summary").click();
+    await field(page, "zo").selectOption("G54");
+    await field(page, "axis").selectOption("Y");
+    await ahead(page, "wrong").getByText("61301").waitFor();
+    // the front face, below the middle of the picture
+    const stage = page.locator(".jog-stage .stage");
+    const { width, height } = await stage.boundingBox();
+    await page.locator(".jog-hint:not(:empty)").waitFor();
+    const before = await figures(page);
+    for (let down = 0.5; down < 0.9; down += 0.05) {
+      await stage.click({ position: { x: width / 2, y: height * down } });
+      if ((await position(page, "Y").textContent()) === "\u221228.000") break;
+    }
+    assert.notDeepEqual(await figures(page), before);
+    assert.equal(await position(page, "Y").textContent(), "\u221228.000");
+    assert.ok((await position(page, "Z").textContent()).startsWith("\u2212"), "beside the face, not above it");
+    await ahead(page, "touch").getByText("Y \u22123.000").waitFor();
+    const promised = await ahead(page, "write").allTextContents();
+    assert.equal(promised.length > 0, true);
+    assert.equal(await ahead(page, "activate").count(), 1);
+    await start(page).click();
+    await page.locator(".jog-activation").waitFor();
+    const written = await page.locator(".jog-written tr").allTextContents();
+    const plain = text =>
+      text
+        .replace(/^write /, "")
+        .replace(/[\s:]+/g, " ")
+        .trim();
+    assert.deepEqual(promised.map(plain), written.map(plain));
+    const [saved] = await Promise.all([
+      page.waitForEvent("download"),
+      page.getByRole("button", { name: "Save script" }).click(),
+    ]);
+    const script = (await (await saved.createReadStream()).toArray()).join("");
+    assert.match(script, /\nmove machine (Z[\d.-]+ )?(X[\d.-]+ )?Y-28 Z-[\d.]+\nstart\n/);
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+});
+
 describe("every function", () => {
   // oracle: hand (18 functions, B:2602-4083)
   for (const [locale, width, height] of [

@@ -3,18 +3,19 @@ import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { modules, program } from "./sources.mjs";
 
-let sources, places, camera, scene, hole, colours, pick, motion, vec, arrays, labels, points;
+let sources, places, camera, scene, hole, colours, pick, hold, motion, vec, arrays, labels, points;
 before(async () => {
   sources = await modules();
   const load = name => sources.load(`/src/${name}.ts`);
   let demo;
-  [camera, scene, demo, colours, pick, motion, vec, arrays, labels, points, places] = await Promise.all(
+  [camera, scene, demo, colours, pick, hold, motion, vec, arrays, labels, points, places] = await Promise.all(
     [
       "preview/camera",
       "preview/scene",
       "preview/demo/scenes",
       "preview/colours",
       "preview/pick",
+      "preview/hold",
       "preview/motion",
       "preview/vec",
       "core/scene",
@@ -112,6 +113,45 @@ test("a part stands as the last rotary axis before left it", () => {
     [-1, 0, 1, 2, 9].map(index => motion.standingAt(data, index).standing === turned),
     [false, false, true, true, true],
   );
+});
+
+// oracle: hand (identities: what is under the pointer is drawn there, and its face looks at the viewer)
+test("a place of the part is found where it is drawn", () => {
+  for (const central of [false, true]) {
+    const looking = camera.fit(
+      { ...camera.turn(camera.initial(), "iso"), central },
+      view,
+      scene.buildScene(hole, colours.LIGHT).box,
+    );
+    const project = camera.projector(looking, view);
+    const eye = camera.eye(looking, view, 500);
+    let found = 0;
+    for (let x = 5; x < view.width; x += 30)
+      for (let y = 5; y < view.height; y += 30) {
+        const face = pick.faceAt(hole, 0, { camera: looking, view }, x, y);
+        if (!face) continue;
+        found++;
+        const seen = project(face.at);
+        near([seen.x, seen.y], [x, y], 1e-6);
+        assert.ok(vec.dot(face.normal, vec.sub(eye, face.at)) > 0, `${face.normal} at ${face.at}`);
+      }
+    assert.ok(found > 20, `${found} of the part`);
+    assert.equal(pick.faceAt(hole, 0, { camera: looking, view }, 1, 1), null);
+  }
+});
+
+// oracle: hand (seen from the front X is to the right and Z up, and Y towards the viewer cannot be pulled along)
+test("a drag moves along the axis that it follows on the screen", () => {
+  const looking = camera.turn(camera.initial(), "front");
+  const from = (dx, dy) => hold.pulled([3, 4, 5], { camera: looking, view }, 100, 100)(100 + dx, 100 + dy);
+  assert.equal(from(3, 2), null);
+  assert.equal(from(80, 10).axis, 0);
+  near([from(80, 10).way], [80 / looking.scale]);
+  assert.equal(from(-5, -60).axis, 2);
+  near([from(-5, -60).way], [60 / looking.scale]);
+  const pull = hold.pulled([3, 4, 5], { camera: looking, view }, 100, 100);
+  assert.equal(pull(120, 100).axis, 0);
+  assert.equal(pull(120, 300).axis, 0, "an axis that was chosen stays");
 });
 
 // oracle: hand (entries 3 to 6 of the fixed scene: measuring, touch, retract, back)

@@ -280,6 +280,15 @@ pub fn note(request: &str) -> Result<String, JsError> {
     Ok(json::answer(request, app::noted)?)
 }
 
+/// `PracticeFace` → `PracticeApproach`.
+///
+/// # Errors
+/// As of [`practise`].
+#[wasm_bindgen]
+pub fn approach(request: &str) -> Result<String, JsError> {
+    Ok(json::answer(request, app::approach)?)
+}
+
 /// Tells by its bytes, which come in pieces, whether a file is a part program and how it is encoded.
 #[wasm_bindgen]
 #[derive(Default)]

@@ -1023,6 +1023,31 @@ export type HelpView = {
   alarms: Array<AlarmInfo>,
 };
 
+/**
+ * What NC start would do from where the probe is, with Calculate where it stores the last point; what Calculate would
+ * do where all are stored.
+ */
+export type JogAhead = {
+  /** Whether NC start is the next key; else Calculate. */
+  start: boolean,
+  /** The point that would be stored, `P2`. */
+  point?: string,
+  /** Positions at which the probe would switch, in the WCS of the measurement, mm. */
+  touches: [number, number, number][],
+  /** The alarm that would come, or what would be hit. */
+  raised?: Raised,
+  /** Why nothing comes of the points. */
+  refused?: Message,
+  /** What the user should know of the touches. */
+  notes: Message[],
+  /** Results that would be shown. */
+  results: JogResult[],
+  /** What would be written. */
+  changes: Change[],
+  /** Whether the activation screen would come up. */
+  activates: boolean,
+};
+
 /** A point that was stored. */
 export type JogPoint = {
   /** `P1`. */
@@ -1031,6 +1056,18 @@ export type JogPoint = {
   touch?: [number, number, number],
   /** Centre in abscissa and ordinate, mm, where it is an element. */
   centre?: [number, number],
+};
+
+/** A result. */
+export type JogResult = {
+  /** `meas_x0`. */
+  name: string,
+  /** As the mask shows it. */
+  label: Message,
+  /** Value, mm or degree. */
+  value: number,
+  /** `mm` or `deg`. */
+  unit: string,
 };
 
 /** What is on the screen. */
@@ -1381,6 +1418,14 @@ export type PracticeActivation = {
   fields: Array<PracticeField>,
 };
 
+/** How the probe gets in front of a face. */
+export type PracticeApproach = {
+  /** The line of a script that moves it there; absent, where nothing is refused: it is there. */
+  line?: string,
+  /** Why it cannot get there. */
+  refused?: Message,
+};
+
 /** A softkey of the vertical bar. */
 export type PracticeArea = {
   /** What it says. */
@@ -1405,6 +1450,16 @@ export type PracticeDeviation = {
   offset: string,
   /** Along the axes, mm, then about them, degree. */
   figures: Array<PracticeFigure>,
+};
+
+/** A face of the part in front of which the probe is put. */
+export type PracticeFace = {
+  /** The session so far. */
+  practice: PracticeRequest,
+  /** A point of the face, X Y Z of the machine, mm. */
+  at: [number, number, number],
+  /** Direction out of the part there, X Y Z of the machine. */
+  normal: [number, number, number],
 };
 
 /** A field of a mask or of the activation screen. */
@@ -1487,6 +1542,8 @@ export type PracticeMask = {
   fields: Array<PracticeField>,
   /** Lines of the left part, in their order. */
   shows: Array<PracticeShow>,
+  /** What to do: sections of its help, in order. */
+  help: Array<HelpSection>,
 };
 
 /** What lies on the table. */
@@ -1572,6 +1629,8 @@ export type PracticeView = {
   machine: PracticeMachine,
   /** The piece of the machine to practise on; absent: the machine is the user's. */
   piece?: PracticePiece,
+  /** What the next key would do. */
+  ahead?: JogAhead,
   /** How the part lies. */
   truth: Truth,
   /** How far the zero offset that the mask wrote is from where it should be. */

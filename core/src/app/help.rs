@@ -76,7 +76,7 @@ pub fn help(asked: HelpRequest) -> Result<HelpView, Error> {
     let section = |section: Section| {
         let line = |line: &HelpLine| HelpText { message: Message::new(line.key), source: Cited(line.source) };
         let lines: Vec<HelpText> = page.section(section).map(line).collect();
-        (!lines.is_empty()).then(|| HelpSection { label: Message::new(section.key(cycle)), lines })
+        (!lines.is_empty()).then(|| HelpSection { label: Message::new(section.key(cycle.purpose.probe)), lines })
     };
     let result = |field: &ResultField| HelpResult { name: field.name, key: field.key };
     let known = |code| ALARMS.iter().find(|alarm| alarm.code == code);

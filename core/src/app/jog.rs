@@ -1,5 +1,6 @@
 //! A session of measuring in JOG, carried out from a script: what each line did.
 
+use super::ahead::{JogAhead, ahead};
 use super::changes::Change;
 use super::outcome::Raised;
 use crate::control::{AXES, Control, Value, gud};
@@ -22,6 +23,9 @@ pub struct JogView {
     /// How the part was put, where chance put it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub truth: Option<Truth>,
+    /// What the next key would do then.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ahead: Option<JogAhead>,
     /// The machine, as the setup file has it, when all is done.
     pub setup: Setup,
 }
@@ -87,6 +91,7 @@ pub struct JogPoint {
 
 /// A result.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct JogResult {
     /// `meas_x0`.
     pub name: &'static str,
@@ -131,7 +136,7 @@ pub fn jog(script: &str, setup: &Setup, seed: Option<u64>) -> Result<JogView, Jo
     }
     setup.control = session.sim.control.clone();
     setup.position = session.sim.position;
-    Ok(JogView { lines: done, truth, setup })
+    Ok(JogView { lines: done, truth, ahead: ahead(&session), setup })
 }
 
 fn carry_out(session: &mut Session, line: &Line) -> JogLine {
@@ -194,7 +199,7 @@ pub(super) fn stored(before: &[Option<Point>], now: &[Option<Point>]) -> Vec<Jog
     .collect()
 }
 
-fn results(session: &Session) -> Vec<JogResult> {
+pub(super) fn results(session: &Session) -> Vec<JogResult> {
     let results = session.outcome().results.iter();
     let angle = |name: &str| ["alpha", "beta"].contains(&name);
     results

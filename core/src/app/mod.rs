@@ -1,6 +1,7 @@
 //! What can be asked: questions and answers as plain data, a function each. Page, terminal program and tests ask the
 //! same; `json` only writes them down.
 
+mod ahead;
 mod alarms;
 mod answer;
 mod beside;
@@ -31,6 +32,7 @@ mod twin;
 mod written;
 
 pub use crate::refused::Refused as Error;
+pub use ahead::{JogAhead, ahead};
 pub use alarms::{AlarmInfo, alarm, alarms};
 pub use answer::{Answer, Band, BandKind, Correction, Figure, Gauge, Mark, Needle, Part, Verdict};
 pub use beside::{Beside, FileStart};
@@ -49,9 +51,9 @@ pub use jog::{JogLine, JogPoint, JogResult, JogView, JogWrong, jog};
 pub use machine::{MachineField, MachineGroup, MachineProblem, MachineRequest, MachineView, machine};
 pub use outcome::{Measured, Outcome, Raised};
 pub use practice::{
-    PracticeActivation, PracticeArea, PracticeChoice, PracticeDeviation, PracticeField, PracticeFigure,
-    PracticeFunction, PracticeKeys, PracticeMachine, PracticeMask, PracticePoint, PracticeRefusal, PracticeRequest,
-    PracticeShow, PracticeUse, PracticeView, PracticeWord, practise,
+    PracticeActivation, PracticeApproach, PracticeArea, PracticeChoice, PracticeDeviation, PracticeFace, PracticeField,
+    PracticeFigure, PracticeFunction, PracticeKeys, PracticeMachine, PracticeMask, PracticePoint, PracticeRefusal,
+    PracticeRequest, PracticeShow, PracticeUse, PracticeView, PracticeWord, approach, practise,
 };
 pub use predict::{ErrorLimit, ErrorSliders, PartSliders, ProbeSliders};
 pub use program::{Arrival, CallView, ProgramParameter, ProgramPlace, ReadRequest, ReadView, calls, read};

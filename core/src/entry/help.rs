@@ -1,7 +1,7 @@
 //! The help page of a measuring variant: lines in five sections that the entry lists, each for the variants of which it
 //! is true, and what follows from the rest of the entry: values that have to be given, alarms that can come.
 
-use super::{Cycle, ProbeUse, When, names};
+use super::{ProbeUse, When, names};
 use crate::SIMULATES;
 
 /// A section of a help page.
@@ -20,9 +20,8 @@ pub enum Section {
 }
 
 impl Section {
-    /// Key of its heading on a page of this cycle: one that touches nothing measures and corrects nothing by itself.
-    pub fn key(self, cycle: &Cycle) -> &'static str {
-        let probe = cycle.purpose.probe;
+    /// Key of its heading where this probe is used: what touches nothing measures and corrects nothing by itself.
+    pub fn key(self, probe: ProbeUse) -> &'static str {
         match self {
             Section::Measures if !probe.measures() => "help-section-does",
             Section::Measures => "help-section-measures",

@@ -1,6 +1,8 @@
 //! The shape of a mask: which function it belongs to, how often is touched, its fields and what it shows, in the order
 //! of the control.
 
+use super::help::Line;
+
 /// A function of measuring in JOG, with its masks: one, or one for holes and one for spigots.
 #[derive(Debug)]
 pub struct Function {
@@ -59,6 +61,8 @@ pub struct Mask {
     pub fields: &'static [Field],
     /// What stands in the left part, in its order.
     pub shows: &'static [Show],
+    /// What it alone says to who stands before it.
+    pub help: &'static [Line],
     /// Where the manual describes it.
     pub source: &'static str,
 }

@@ -3,10 +3,12 @@
 //! B:2608).
 
 pub mod activation;
+pub mod approach;
 mod calculate;
 mod calibrating;
 pub mod chance;
 pub mod evaluate;
+pub mod help;
 pub mod mask;
 pub mod masks;
 pub mod offset;

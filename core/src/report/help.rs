@@ -104,7 +104,7 @@ fn sections(cycle: &Cycle, page: &[Said], mark: &str, words: &Words) -> Vec<(Str
         items.extend(listed("help-values", &values, words));
         items.extend(listed("help-alarms", &alarms, words));
         if !items.is_empty() {
-            sections.push((words.key(section.key(cycle)), items));
+            sections.push((words.key(section.key(cycle.purpose.probe)), items));
         }
     }
     sections

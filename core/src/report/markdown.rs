@@ -14,17 +14,27 @@ pub fn table<const COLUMNS: usize>(
     text: &mut String,
     title: &str,
     columns: [&str; COLUMNS],
-    rows: impl Iterator<Item = [String; COLUMNS]>,
+    all: impl Iterator<Item = [String; COLUMNS]>,
     words: &Words,
 ) {
-    let mut rows = rows.peekable();
-    if rows.peek().is_some() {
+    let mut all = all.peekable();
+    if all.peek().is_some() {
         line(text, &format!("## {title}"));
-        row(text, columns.map(|column| words.key(format!("report-column-{column}"))));
-        row(text, columns.map(|_| "---".to_owned()));
-        rows.for_each(|cells| row(text, cells));
-        text.push('\n');
+        rows(text, columns, all, words);
     }
+}
+
+/// A table without a heading; columns by the end of the keys of their names.
+pub fn rows<const COLUMNS: usize>(
+    text: &mut String,
+    columns: [&str; COLUMNS],
+    all: impl Iterator<Item = [String; COLUMNS]>,
+    words: &Words,
+) {
+    row(text, columns.map(|column| words.key(format!("report-column-{column}"))));
+    row(text, columns.map(|_| "---".to_owned()));
+    all.for_each(|cells| row(text, cells));
+    text.push('\n');
 }
 
 fn row<const COLUMNS: usize>(text: &mut String, cells: [String; COLUMNS]) {

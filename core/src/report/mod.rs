@@ -4,6 +4,7 @@ pub mod alarms;
 pub mod explain;
 pub mod findings;
 mod help;
+pub mod jog;
 pub mod machine;
 mod markdown;
 #[cfg(test)]

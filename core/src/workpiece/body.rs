@@ -1,8 +1,8 @@
 //! A solid taken apart into faces, edges and corners, in its own frame (origin at the upper face, Z up).
 
 use super::{Column, Columns, Form, FreeSurface, Material, Solid, form::between};
-use crate::geometry::{Circle, Extent, Feature, LobedWall, Lobes, Quad, Segment, Trim, V3, Wall};
-use nalgebra::IsometryMatrix3;
+use crate::geometry::{Circle, Dir, Extent, Feature, LobedWall, Lobes, Mcs, Quad, Segment, Trim, V3, Wall};
+use nalgebra::{IsometryMatrix3, Point3};
 use std::sync::Arc;
 
 /// Material beside an inner element, and plate around an outer one, mm.
@@ -52,6 +52,14 @@ impl Body {
         body.extents = body.features.iter().map(Extent::around).collect();
         body.extent = body.extents.iter().fold(body.extent, |all, one| all.with(one));
         body
+    }
+
+    /// How far the box around it reaches in a direction of the machine, mm.
+    pub fn farthest(&self, direction: Dir<Mcs>) -> f64 {
+        let (Extent { low, high }, direction) = (self.extent, V3::from(direction));
+        let end = |corner: usize, axis: usize| if corner >> axis & 1 == 0 { low[axis] } else { high[axis] };
+        let corners = (0..8).map(|corner| self.place * Point3::new(end(corner, 0), end(corner, 1), end(corner, 2)));
+        corners.map(|corner| corner.coords.dot(&direction)).fold(f64::NEG_INFINITY, f64::max)
     }
 
     /// Whether a point lies in the material.

@@ -2,7 +2,7 @@
 
 use super::{Body, Obstacle, Touching, Workpiece};
 use crate::geometry::feature::{first as first_on, foot};
-use crate::geometry::{Extent, Mcs, Met, Path, Stand, TOLERANCE, V3, earliest};
+use crate::geometry::{Dir, Extent, Mcs, Met, Path, Stand, TOLERANCE, V3, earliest};
 
 /// What a ball meets on a straight way of its centre. Machine coordinates, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -57,6 +57,11 @@ impl Boundary {
             nearest = earliest(nearest.into_iter().chain(met.map(|met| met.placed(&body.place))));
         }
         nearest.map_or(Contact::None, |met| Contact::Hit(Obstacle::on(&way, &met, Touching::Ball)))
+    }
+
+    /// How far the part reaches in a direction, by the boxes around its solids, mm; minus infinity where there is none.
+    pub fn farthest(&self, direction: Dir<Mcs>) -> f64 {
+        self.bodies.iter().map(|body| body.farthest(direction)).fold(f64::NEG_INFINITY, f64::max)
     }
 
     /// Distance of a point from the surface of the nearest solid, mm, negative inside; infinite where there is none.

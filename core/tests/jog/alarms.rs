@@ -2,6 +2,7 @@
 
 use super::{block, machine, open, stand};
 use probewright_core::diagnostic::Code;
+use probewright_core::jog::help;
 use probewright_core::jog::{Input, Session, State};
 use probewright_core::machine::{Setup, Stop};
 use probewright_core::workpiece::Shape;
@@ -10,7 +11,9 @@ use probewright_core::workpiece::Shape;
 fn alarm(session: &mut Session) -> u32 {
     session.carry_out(Input::Start).unwrap();
     assert_eq!(session.state(), State::Alarm);
-    let Some(Stop::Alarm(Code::Alarm(number))) = session.stopped() else { panic!("{:?}", session.stopped()) };
+    let Some(Stop::Alarm(code @ Code::Alarm(number))) = session.stopped() else { panic!("{:?}", session.stopped()) };
+    let mask = session.mask().unwrap();
+    assert!(help::alarms(mask).contains(code), "the help of {} does not name {number}", mask.name);
     *number
 }
 
@@ -115,6 +118,9 @@ fn told(session: &mut Session) -> String {
     let told = session.press(Input::Calculate).unwrap_err();
     assert_eq!(session.state(), State::Ready);
     assert!(session.points().iter().all(Option::is_some));
+    let known = help::alarms(session.mask().unwrap());
+    let named = |number: &str| known.iter().any(|code| code.to_string() == number);
+    assert!(told.key.strip_prefix("alarm-").is_none_or(named), "{}", told.key);
     told.key.into_owned()
 }
 

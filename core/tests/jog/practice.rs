@@ -2,7 +2,7 @@
 //! from where the part lies.
 
 use super::near;
-use probewright_core::app::{PartSliders, PracticeRequest, PracticeView, practise};
+use probewright_core::app::{JogAhead, PartSliders, PracticeFace, PracticeRequest, PracticeView, approach, practise};
 use probewright_core::dialect::Dialect;
 use probewright_core::geometry::Degrees;
 use probewright_core::jog::practice::{Piece, piece};
@@ -82,6 +82,7 @@ fn each_mask_opens_on_its_piece() {
         assert_eq!((view.state, view.refused), (State::Mask, None), "{}", mask.name);
         let open = view.mask.unwrap();
         assert_eq!((open.name, open.fields.is_empty()), (mask.name, false));
+        assert_eq!(open.help.len(), 5, "measures, before, order, corrects, wrong: {}", mask.name);
         assert_eq!(view.points.len(), if mask.points == 1 { 0 } else { mask.points });
         let listed = view.areas.iter().flat_map(|area| &area.functions).flat_map(|one| &one.masks);
         assert_eq!(listed.filter(|one| one.name == mask.name && one.piece == piece(mask)).count(), 1);
@@ -125,4 +126,110 @@ fn what_is_hit_stops_and_is_left_backwards() {
     let view = seen(asked(Piece::Block, &format!("{crash}jog X-1\n")));
     assert_eq!((view.raised, view.state), (None, State::Mask));
     near(view.machine.mcs[0], -4.0, "X");
+}
+
+/// What the next key would do, and what it does.
+fn before_and_after(piece: Piece, script: &str, keys: &str) -> (JogAhead, PracticeView) {
+    let ahead = seen(asked(piece, script)).ahead.unwrap();
+    (ahead, seen(asked(piece, &format!("{script}{keys}"))))
+}
+
+// oracle: self: what is told before is what happens then
+#[test]
+fn what_would_happen_happens() {
+    let edge = EDGE.strip_suffix("start\n").unwrap();
+    let (ahead, after) = before_and_after(Piece::Block, edge, "start\n");
+    assert_eq!((ahead.start, ahead.point, ahead.activates), (true, None, after.state == State::Activate));
+    assert_eq!(ahead.changes, after.changes);
+    assert_eq!((ahead.raised, ahead.refused), (None, None));
+    let shown = after.mask.unwrap().shows;
+    near(ahead.results[0].value, shown.last().unwrap().figures[0].value, "meas X0");
+    // the left face lies at X 0 and the ball has a radius of 3
+    assert_eq!(ahead.touches.len(), 1);
+    near(ahead.touches[0][0], -3.0, "X");
+    // the last of three points, with Calculate
+    let corner = CORNER.strip_suffix("start\ncalculate\n").unwrap();
+    let (ahead, after) = before_and_after(Piece::Block, corner, "start\ncalculate\n");
+    assert_eq!((ahead.point.as_deref(), &ahead.changes), (Some("P3"), &after.changes));
+    assert!(!ahead.changes.is_empty() && ahead.results.len() == 3);
+    let (ahead, after) = before_and_after(Piece::Block, &format!("{corner}start\n"), "calculate\n");
+    assert_eq!((ahead.start, ahead.touches.len(), ahead.changes), (false, 0, after.changes));
+    // not the last one
+    let (ahead, after) = before_and_after(Piece::Block, "mask align_edge\nmove X-20 Z-8\n", "start\n");
+    assert_eq!((ahead.point.as_deref(), ahead.results.len(), ahead.changes.len()), (Some("P1"), 0, 0));
+    assert_eq!(Some(ahead.touches[0]), after.points[0].stored.as_ref().unwrap().touch);
+    // four touches of a hole
+    let hole = "mask hole_1\ndiameter = 40\nmove Z-8\n";
+    assert_eq!(seen(asked(Piece::Hole, hole)).ahead.unwrap().touches.len(), 4);
+}
+
+// oracle: hand: nothing is within twice the measuring path; the probe is to be calibrated as it is used (B:13669)
+#[test]
+fn what_would_go_wrong_is_told() {
+    let far = "mask set_edge\nzo = G54\nmove Z-8\nmove X-300\n";
+    let (ahead, after) = before_and_after(Piece::Block, far, "start\n");
+    assert_eq!(ahead.raised.as_ref().unwrap().code, "61301");
+    assert_eq!((ahead.raised, ahead.changes.len(), ahead.results.len()), (after.raised, 0, 0));
+    let other = "mask set_edge\nset _WP[0,9] = 18\n";
+    assert_eq!(seen(asked(Piece::Block, other)).ahead.unwrap().raised.unwrap().code, "61341");
+    let same = "mask align_edge\nref_axis = Y\nmove X-20 Z-8\nstart\n";
+    assert_eq!(seen(asked(Piece::Block, same)).ahead.unwrap().refused.unwrap().key, "jog-same-place");
+    // in the menu, and where a field is wrong, there is nothing to tell
+    assert_eq!(seen(asked(Piece::Block, "")).ahead, None);
+    assert_eq!(seen(asked(Piece::Hole, "mask cal_radius\nset E_MESS_CAL_D[0] = 0\n<<\nmask cal_radius\n")).ahead, None);
+}
+
+/// The line that puts the probe in front of a face, or why there is none.
+fn faced(piece: Piece, script: &str, at: [f64; 3], normal: [f64; 3]) -> Result<Option<String>, String> {
+    let told = approach(PracticeFace { practice: asked(piece, script), at, normal }).unwrap();
+    told.refused.map_or(Ok(told.line), |why| Err(why.key.into_owned()))
+}
+
+// oracle: hand: half of E_MESS_D_M = 50 mm and the radius of 3 mm before a face; the block is from X 0 Y 0 Z -40 to
+// X 100 Y 80 Z 0 and the probe comes from X -30 Y 40 Z 30
+#[test]
+fn the_probe_gets_in_front_of_a_face() {
+    let block = |at, normal| faced(Piece::Block, "mask set_edge\nzo = G54\n", at, normal).unwrap().unwrap();
+    let right = block([100.0, 30.0, -8.0], [1.0, 0.0, 0.0]);
+    assert!(right.starts_with("move machine X128 Y30 Z-"), "{right}");
+    let front = block([20.0, 0.0, -8.0], [0.0, -1.0, 0.0]);
+    assert!(front.starts_with("move machine X20 Y-28 Z-"), "{front}");
+    // the line is carried out, and what is measured there is the face
+    let script = format!("mask set_edge\nzo = G54\ndirection = -\n{right}\n");
+    let view = seen(asked(Piece::Block, &script));
+    assert_eq!((view.raised, view.refused), (None, None));
+    near(view.ahead.unwrap().results[0].value, 100.0, "right face");
+    assert_eq!(faced(Piece::Block, &script, [100.0, 30.0, -8.0], [1.0, 0.0, 0.0]), Ok(None), "it is there");
+    // a probe that is deep beside the block first goes up
+    let beside = format!("{script}mask set_edge\n");
+    let left = faced(Piece::Block, &beside, [0.0, 30.0, -8.0], [-1.0, 0.0, 0.0]).unwrap().unwrap();
+    let view = seen(asked(Piece::Block, &format!("{beside}{left}\n")));
+    assert!(left.starts_with("move machine Z") && view.raised.is_none(), "{left}: {:?}", view.raised);
+    near(view.machine.mcs[0], -28.0, "X");
+}
+
+// oracle: hand: a hole of 40 mm about X 50 Y 40 is measured from its middle
+#[test]
+fn an_element_is_measured_from_inside_its_middle() {
+    let script = "mask hole_1\ndiameter = 40\n";
+    let line = faced(Piece::Hole, script, [70.0, 40.0, -10.0], [-1.0, 0.0, 0.0]).unwrap().unwrap();
+    let view = seen(asked(Piece::Hole, &format!("{script}{line}\n")));
+    assert_eq!((view.raised, view.refused), (None, None), "{line}");
+    assert!((view.machine.mcs[0] - 50.0).abs() < 0.01 && (view.machine.mcs[1] - 40.0).abs() < 0.01, "{line}");
+    assert!(view.ahead.unwrap().raised.is_none());
+}
+
+// oracle: hand
+#[test]
+fn what_cannot_be_reached_is_told() {
+    let edge = "mask set_edge\n";
+    for (piece, script, at, normal, key) in [
+        (Piece::Block, edge, [50.0, 40.0, -40.0], [0.0, 0.0, -1.0], "jog-face-below"),
+        (Piece::Block, edge, [50.0, 40.0, 0.0], [0.0; 3], "jog-face-nothing"),
+        (Piece::Block, edge, [1e300, 40.0, 0.0], [0.0, 0.0, 1.0], "jog-face-nothing"),
+        (Piece::Block, "tool T0\n", [50.0, 40.0, 0.0], [0.0, 0.0, 1.0], "jog-face-no-probe"),
+        (Piece::Probe, "", [50.0, 40.0, 50.0], [0.0, 0.0, 1.0], "jog-face-no-probe"),
+    ] {
+        assert_eq!(faced(piece, script, at, normal), Err(key.to_owned()), "{piece:?} {at:?}");
+    }
 }

@@ -27,7 +27,7 @@ impl Sort {
         match () {
             () if key.starts_with("notice-") => Some(Sort::Toast),
             () if file == "page.ftl" || ends(&["-words"]) || begins(&["help-section-"]) => None,
-            () if begins(&["help-"]) => Some(Sort::Page),
+            () if begins(&["help-", "jog-help-"]) => Some(Sort::Page),
             () if ends(&["-hint", ".cure", ".cause"]) => Some(Sort::Hint),
             () if ends(&["-help", ".help"]) => Some(Sort::Help),
             () if begins(&["check-", "run-", "syntax-", "write-", "alarm-"]) => Some(Sort::Finding),

@@ -112,3 +112,25 @@ fn masks_are_listed_with_what_their_fields_take() {
     assert!(told.contains("Corner (corner): outside, inside\n"), "{told}");
     assert!(!told.contains("jog-"), "{told}");
 }
+
+// oracle: hand: the upper face lies at Z -5 of G54, which is active by then
+#[test]
+fn what_the_next_key_would_do_is_told() {
+    let script = CORNER.strip_suffix("start\n").unwrap();
+    let told = out(&jog("ahead.jog", script, &["--what-if"]).1);
+    assert!(told.contains("\nNC start would\n  touch at X 40, Y 40, Z "), "{told}");
+    assert!(told.contains("\n  show Measured Z0 = -5 mm\n  write $P_UIFR[1,Z,TR]: 5 → 0\n"), "{told}");
+    assert!(!out(&jog("ahead.jog", script, &[]).1).contains("NC start would"));
+    let told = out(&jog("ahead.jog", "mask set_edge\nmove X-200 Z-8\n", &["--what-if"]).1);
+    assert!(told.contains("NC start would\n  raise alarm 61301: "), "{told}");
+    let told = out(&jog("ahead.jog", "", &["--what-if"]).1);
+    assert!(told.ends_with("There is nothing that NC start or Calculate would measure now.\n"), "{told}");
+}
+
+// oracle: hand (B:3015)
+#[test]
+fn a_mask_is_explained() {
+    let told = out(&probewright(&["explain", "set_edge"]));
+    assert!(told.starts_with("set_edge: Set edge\n\nWhat it measures\n  The position of a paraxial edge"), "{told}");
+    assert!(told.contains("\n  Possible alarms: 61016, "), "{told}");
+}

@@ -52,3 +52,5 @@ practice-part-help = Eine neue Lage beginnt die Sitzung von vorn.
 practice-shift = Versatz
 practice-tilt = Drehung
 practice-stand-in = Auf dem Tisch Ihrer Maschine liegt kein Werkstück, oder sie ist eine Drehmaschine. Geübt wird an einer Fräsmaschine mit Werkstück.
+practice-to-do = Was zu tun ist
+practice-face = Auf eine Fläche des Werkstücks klicken: Der Messtaster fährt vor sie. Messtaster ziehen: Eine Achse verfährt.

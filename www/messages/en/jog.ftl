@@ -52,3 +52,5 @@ practice-part-help = A new position starts the session again.
 practice-shift = Shift
 practice-tilt = Rotation
 practice-stand-in = Your machine has no part on its table, or it is a lathe. This is a milling machine with a part to practise on.
+practice-to-do = What to do
+practice-face = Click a face of the part: the probe moves in front of it. Drag the probe to move an axis.

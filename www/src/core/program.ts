@@ -19,6 +19,8 @@ import type {
   HelpView,
   MachineRequest,
   MachineView,
+  PracticeApproach,
+  PracticeFace,
   PracticeRequest,
   PracticeView,
   ReadRequest,
@@ -88,6 +90,8 @@ export interface ProgramCore extends FormCore {
   equip(request: EquipRequest): EquipView;
   story(request: FormRequest): Story;
   practise(request: PracticeRequest): Practised;
+  /** How the probe gets in front of a face. */
+  approach(request: PracticeFace): PracticeApproach;
   /** Takes the bytes of a file in pieces. */
   recogniser(): { take(bytes: Uint8Array): void; finish(): Recognised };
   /** The setup of a file, with its defaults; or why it is none. */
@@ -245,6 +249,7 @@ export async function loadProgramCore(): Promise<ProgramCore> {
     module,
     simulates: "yes",
     practise: practised,
+    approach: request => JSON.parse(call("approach", () => wasm.approach(JSON.stringify(request)))) as PracticeApproach,
     setup: setupOf,
     change: request => changes(request, null),
     recogniser,

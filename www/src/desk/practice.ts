@@ -1,11 +1,11 @@
 // Practising to measure in JOG: what is pressed is a line more of a script, which the core carries out anew each time.
 // A line that does nothing is told, and leaves everything as it was.
 
-import type { Practised, ProgramCore } from "../core/program";
+import type { ProgramCore } from "../core/program";
 import { parseNumber, plain } from "../numbers";
 import { AS_SET_UP, type JogState, profile, type State } from "../state/state";
 import type { Store } from "../state/store";
-import type { PracticeChoice, PracticeRequest } from "../wire";
+import type { PracticeChoice, PracticeRequest, Vec3 } from "../wire";
 
 export interface Practice {
   /** Asks what is on the screen, unless that is known. */
@@ -14,6 +14,8 @@ export interface Practice {
   press(line: string, field?: string): void;
   /** Moves an axis by so many mm. */
   jog(axis: string, by: number): void;
+  /** Puts the probe in front of a face of the part: a point of it in the machine, and the direction out of it there. */
+  face(at: Vec3, normal: Vec3): void;
   /** Opens a mask, on the piece for it. */
   open(mask: PracticeChoice): void;
   undo(): void;
@@ -32,6 +34,8 @@ export const practises = (state: State, catalogue: { practises: string[] }): boo
 
 type Asked = Pick<JogState, "lines" | "seed" | "part" | "piece">;
 
+/** Where it is told that the probe cannot get in front of a face. */
+export const FACE = "face";
 /** A line that moves one axis by a way. */
 const BY = /^jog ([XYZ])(-?[\d.]+)$/;
 /** What the first lines of a kept script say of the part. */
@@ -50,23 +54,22 @@ export function scriptOf({ lines, seed, part, seen }: JogState): string {
 }
 
 export function createPractice(store: Store, core: () => ProgramCore | null): Practice {
-  const ask = (asked: Asked): Practised | null => {
+  const request = (asked: Asked): PracticeRequest => {
     const { state } = store;
     const setup = profile(state);
-    const request: PracticeRequest = {
+    return {
       control: state.form.control,
       ...(setup ? { setup } : {}),
       ...(asked.piece ? { piece: asked.piece } : {}),
       script: asked.lines.join("\n"),
       ...(asked.seed === null ? { part: asked.part } : { seed: asked.seed }),
     };
-    return core()?.practise(request) ?? null;
   };
   const set = (jog: Partial<JogState>): void => store.update({ jog });
   /** With these lines, as far as they do something. */
   const carryOut = (change: Partial<Asked>, field = ""): void => {
     const { lines, seed, part, piece } = { ...store.state.jog, ...change };
-    const seen = ask({ lines, seed, part, piece });
+    const seen = core()?.practise(request({ lines, seed, part, piece }));
     if (!seen) return;
     const { refused } = seen;
     const last = refused ? (lines[refused.line - 1] ?? "") : "";
@@ -92,6 +95,13 @@ export function createPractice(store: Store, core: () => ProgramCore | null): Pr
       const sum = goesOn ? Number(way) + by : by;
       const line = `jog ${axis}${plain(sum)}`;
       carryOut({ lines: [...(goesOn ? lines.slice(0, -1) : lines), line] });
+    },
+    face(at, normal) {
+      const { jog } = store.state;
+      const found = core()?.approach({ practice: request(jog), at, normal });
+      if (found?.line) press(found.line, FACE);
+      else if (found?.refused)
+        set({ refused: { line: jog.lines.length + 1, message: found.refused, field: FACE, text: "" } });
     },
     open({ name, piece }) {
       const { seen, lines } = store.state.jog;

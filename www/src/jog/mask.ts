@@ -4,9 +4,9 @@ import { html, nothing, render, type TemplateResult } from "lit-html";
 import { live } from "lit-html/directives/live.js";
 import type { Practice } from "../desk/practice";
 import { iconPart } from "../icons";
-import { plain } from "../numbers";
+import { fixed, plain } from "../numbers";
 import type { JogState, State } from "../state/state";
-import { say, t } from "../texts";
+import { hasHelp, helpWords, say, t } from "../texts";
 import { unlessTyping } from "../unless-typing";
 import type {
   Message,
@@ -16,6 +16,7 @@ import type {
   PracticePoint,
   PracticeShow,
   PracticeView,
+  Raised,
 } from "../wire";
 import { figureText } from "./figures";
 
@@ -118,11 +119,87 @@ function opened(jog: JogState, seen: PracticeView, mask: PracticeMask, practice:
           </div>`
         : nothing
     }
+    ${toDo(mask, practice)}
     ${seen.activation ? activation(jog, seen, practice) : fields(jog, mask.fields, practice)}
     ${seen.points.length ? softkeys(seen, practice) : nothing}
     ${keys(jog, seen, practice)}
-    ${results(mask.shows)} ${deviation(seen)} ${written(seen)}
+    ${ahead(seen)} ${results(mask.shows)} ${deviation(seen)} ${written(seen)}
   `;
+}
+
+let failed = false;
+
+/** The help of the mask, folded: its words come when it is opened for the first time. */
+function toDo(mask: PracticeMask, practice: Practice): TemplateResult {
+  const redraw = (): void => practice.change({});
+  const fetchWords = ({ target }: Event): void => {
+    if (!(target as HTMLDetailsElement).open || hasHelp()) return;
+    failed = false;
+    helpWords()
+      .catch((problem: unknown) => {
+        console.error(problem);
+        failed = true;
+      })
+      .finally(redraw);
+  };
+  const note = html`<p class="jog-quiet">${t(failed ? "help-absent" : "help-coming")}</p>`;
+  const sections = (): TemplateResult[] =>
+    mask.help.map(
+      ({ label, lines }) => html`
+        <h4>${say(label)}</h4>
+        <ul>
+          ${lines.map(({ message, source }) => html`<li>${say(message)} <small>${source}</small></li>`)}
+        </ul>
+      `,
+    );
+  return html`
+    <details class="jog-help" @toggle=${fetchWords}>
+      <summary>${t("practice-to-do")}</summary>
+      ${hasHelp() ? sections() : note}
+    </details>
+  `;
+}
+
+/** What the next key would do from here. */
+function ahead({ ahead: next, raised: now }: PracticeView): TemplateResult | typeof nothing {
+  if (!next || now) return nothing;
+  const { start, point, touches, raised: why, refused, notes, results: shown, changes, activates } = next;
+  const place = (at: readonly number[]): string =>
+    `${at.map((value, axis) => `${"XYZ".charAt(axis)} ${fixed(value, 3)}`).join(", ")} ${t("unit-mm")}`;
+  const item = (kind: string, text: string): { kind: string; text: string } => ({ kind, text });
+  const ofUnit = (name: string): string => (name ? ` ${t(`unit-${name}`)}` : "");
+  const items = [
+    ...notes.map(note => item("note", say(note))),
+    ...touches.map(at => item("touch", t("jog-ahead-touch", { place: place(at) }))),
+    ...(point ? [item("store", t("jog-ahead-store", { point }))] : []),
+    ...(why ? [item("wrong", reason(why))] : []),
+    ...(refused ? [item("wrong", t("jog-ahead-refuse", { text: say(refused) }))] : []),
+    ...shown.map(({ label, value, unit }) =>
+      item("show", t("jog-ahead-show", { label: say(label), value: figureText({ axis: "", value, unit }) })),
+    ),
+    ...changes.map(({ label, before, after, unit }) =>
+      item(
+        "write",
+        t("jog-ahead-write", { label: say(label), before: plain(before, 3), after: plain(after, 3) + ofUnit(unit) }),
+      ),
+    ),
+    ...(shown.length && !changes.length ? [item("nothing", t("jog-ahead-nothing"))] : []),
+    ...(activates ? [item("activate", t("jog-ahead-activates"))] : []),
+  ];
+  return html`
+    <section class="jog-ahead">
+      <h4>${t(start ? "jog-ahead-start" : "jog-ahead-calculate")}</h4>
+      <ul>
+        ${items.map(({ kind, text }) => html`<li data-ahead=${kind}>${text}</li>`)}
+      </ul>
+    </section>
+  `;
+}
+
+/** An alarm that would come, or what would be hit, and what helps. */
+function reason({ code, message, hint }: Raised): string {
+  const text = [message, ...(hint ? [hint] : [])].map(say).join(" ");
+  return code ? t("jog-ahead-raise", { alarm: code, text }) : t("jog-ahead-stop", { text });
 }
 
 function fields(jog: JogState, all: readonly PracticeField[], practice: Practice): TemplateResult {

@@ -54,7 +54,7 @@ export function createPlace(
   const drawMask = createMask(mask, practice);
   const drawHand = createHand(hand, practice, stop);
   const drawPart = createPart(part, practice);
-  const drawStage = createJogStage(picture, stage);
+  const drawStage = createJogStage(picture, stage, practice);
   let now: State | null = null;
   root.addEventListener(
     "keydown",

@@ -1,23 +1,40 @@
 // The stage while one practises: the part as it lies, the probe where it is; what NC start began is seen as it happens.
 
 import type { SceneData } from "../core/scene";
-import { el, setText, show } from "../dom";
+import { FACE, type Practice } from "../desk/practice";
+import { el, setAttribute, setText, show } from "../dom";
 import type { IconName } from "../icons";
 import type { Preview, ViewName } from "../preview/view";
-import type { State } from "../state/state";
-import { t } from "../texts";
+import type { JogState, State } from "../state/state";
+import { say, t } from "../texts";
 import { type Shown, shownTheme } from "../theme";
 import { type Stage, tool } from "../views/stage";
 
 const still = matchMedia("(prefers-reduced-motion: reduce)");
+const FINE = 100; // µm a step of a drag where an axis moves as long as its key is held down
 const LONGEST = 2.5; // s that a measurement is shown for
 
-export function createJogStage(root: HTMLElement, stage: Stage): (state: State) => void {
+export function createJogStage(root: HTMLElement, stage: Stage, practice: Practice): (state: State) => void {
   const note = el("p", { class: "empty over-stage", role: "status" }, t("view-loading"));
   const corner = el("div", { class: "stage-corner" });
-  root.append(el("div", { class: "stage-box" }, corner, note));
+  const hint = el("p", { class: "jog-hint", role: "status" });
+  root.append(el("div", { class: "stage-box" }, corner, note, hint));
   let shown: { data: SceneData | null; theme: Shown | null } = { data: null, theme: null };
   let dressed = false;
+  let now: JogState | null = null;
+  /** Dragged along an axis in steps of the increment, until something is hit. */
+  const grab = (): ((axis: number, way: number) => void) => {
+    let done = 0;
+    let hit = false;
+    return (axis, way) => {
+      const step = (now?.step || FINE) / 1000;
+      const by = Math.round((way - done) / step) * step;
+      hit ||= done !== 0 && !!now?.seen?.raised;
+      if (by === 0 || hit) return;
+      done += by;
+      practice.jog("XYZ".charAt(axis), by);
+    };
+  };
   const dress = (preview: Preview): void => {
     if (dressed) return;
     dressed = true;
@@ -32,6 +49,7 @@ export function createJogStage(root: HTMLElement, stage: Stage): (state: State) 
   return ({ jog, page }) => {
     const box = root.firstElementChild;
     if (page.place !== "jog") {
+      if (shown.data) listenTo(stage.preview, null);
       shown = { data: null, theme: null };
       return;
     }
@@ -41,6 +59,11 @@ export function createJogStage(root: HTMLElement, stage: Stage): (state: State) 
     show(note, !preview);
     if (!preview) return stage.fetch();
     dress(preview);
+    now = jog;
+    listenTo(preview, { face: ({ at, normal }) => practice.face(at, normal), grab });
+    const refused = jog.refused?.field === FACE ? jog.refused : null;
+    setText(hint, refused ? say(refused.message) : t("practice-face"));
+    setAttribute(hint, "data-refused", String(!!refused));
     const theme = shownTheme(page.theme);
     const colours = stage.colours(theme);
     if (colours && theme !== shown.theme) preview.setColours(colours);
@@ -60,6 +83,15 @@ export function createJogStage(root: HTMLElement, stage: Stage): (state: State) 
     }
     shown = { data, theme };
   };
+}
+
+/** What a click on the part and a drag of the probe do; null: nothing. */
+function listenTo(
+  preview: Preview | null,
+  what: { face: Parameters<Preview["onFace"]>[0]; grab: Parameters<Preview["onGrab"]>[0] } | null,
+): void {
+  preview?.onFace(what?.face ?? null);
+  preview?.onGrab(what?.grab ?? null);
 }
 
 let playing = 0;

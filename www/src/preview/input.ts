@@ -10,6 +10,8 @@ export interface Handle {
   setView(name: ViewName): void;
   fit(): void;
   pick(x: number, y: number): void;
+  /** Takes hold of what is there: a drag then moves it and not the view; null: nothing is. */
+  grab(x: number, y: number): ((x: number, y: number) => void) | null;
   /** A pointer is there, and nothing is dragged. */
   point(x: number, y: number): void;
   leave(): void;
@@ -27,13 +29,16 @@ export function listen(element: HTMLElement, handle: Handle): () => void {
   const options = { signal: stop.signal };
   const pointers = new Map<number, { x: number; y: number }>();
   let wandered = 0;
+  let held: ((x: number, y: number) => void) | null = null;
   element.style.touchAction = "none";
   element.addEventListener(
     "pointerdown",
     event => {
       element.setPointerCapture(event.pointerId);
+      const at = place(element, event);
       if (pointers.size === 0) wandered = 0;
-      pointers.set(event.pointerId, place(element, event));
+      held = pointers.size === 0 && event.button === 0 ? handle.grab(at.x, at.y) : null;
+      pointers.set(event.pointerId, at);
     },
     options,
   );
@@ -49,12 +54,14 @@ export function listen(element: HTMLElement, handle: Handle): () => void {
       const now = place(element, event);
       wandered += Math.hypot(now.x - before.x, now.y - before.y);
       const other = [...pointers].find(([id]) => id !== event.pointerId)?.[1];
-      handle.move(other ? pinched(handle, before, now, other) : dragged(handle.camera(), event, before, now));
+      if (held) held(now.x, now.y);
+      else handle.move(other ? pinched(handle, before, now, other) : dragged(handle.camera(), event, before, now));
       pointers.set(event.pointerId, now);
     },
     options,
   );
   const up = (event: PointerEvent) => {
+    held = null;
     const last = pointers.size === 1 && pointers.delete(event.pointerId);
     if (last && event.type === "pointerup" && event.button === 0 && wandered < CLICK) {
       const { x, y } = place(element, event);

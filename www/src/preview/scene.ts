@@ -88,8 +88,11 @@ export function buildScene(
 }
 
 /** A point or direction in the frame of a place. */
-const turned = ({ axes: [x, y, z] }: Place, [a, b, c]: Vec3): Vec3 => add(add(times(x, a), times(y, b)), times(z, c));
-const placed = (place: Place | undefined, point: Vec3): Vec3 => (place ? add(place.at, turned(place, point)) : point);
+export const turned = ({ axes: [x, y, z] }: Place, [a, b, c]: Vec3): Vec3 =>
+  add(add(times(x, a), times(y, b)), times(z, c));
+/** A point of a piece in the machine. */
+export const placed = (place: Place | undefined, point: Vec3): Vec3 =>
+  place ? add(place.at, turned(place, point)) : point;
 
 /** The pieces one behind the other, each where it stands and in its colour. */
 function assemble({ vertices, corners }: SceneData, pieces: Piece[], standing: Standing, colours: Colours): Mesh {

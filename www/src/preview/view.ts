@@ -4,8 +4,9 @@ import type { BackendName, Cloud } from "./backend";
 import { type Basis, basis, type Camera, turn, type ViewName } from "./camera";
 import type { Colours } from "./colours";
 import { EMPTY, lastStep, sameScene } from "./content";
+import { heldAt, pulled } from "./hold";
 import { listen, turned } from "./input";
-import { fieldAt, pick } from "./pick";
+import { type Face, faceAt, fieldAt, pick } from "./pick";
 import type { Rect } from "./places";
 import { createShow, type Show, type ShowOptions } from "./show";
 import { makeStage, watchSize } from "./stage";
@@ -50,6 +51,13 @@ export interface Preview {
   setLabel(label: string): void;
   /** A click on a motion or touch. */
   onPick(callback: (entry: number) => void): void;
+  /** A click on the part, before what else is there; null: nobody wants to know. */
+  onFace(callback: ((face: Face) => void) | null): void;
+  /**
+   * The probe is taken hold of; what is answered is told how far it is dragged along which axis of the machine (0 X …),
+   * mm since then. null: it cannot be.
+   */
+  onGrab(callback: (() => (axis: number, way: number) => void) | null): void;
   /** The pointer is on the dimension of a parameter, or on none; a click on one. */
   onField(pointed: (parameter: string | null) => void, chosen: (parameter: string) => void): void;
   setColours(colours: Colours): void;
@@ -70,6 +78,8 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
   const stage = makeStage(host, options.label);
   const show = await createShow(stage, options);
   let picked: (entry: number) => void = () => undefined;
+  let faced: ((face: Face) => void) | null = null;
+  let grabbed: (() => (axis: number, way: number) => void) | null = null;
   let pointed: (parameter: string | null) => void = () => undefined;
   let chosen: (parameter: string) => void = () => undefined;
   const { sight } = show;
@@ -80,11 +90,25 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
     move: sight.move,
     setView: sight.setView,
     fit: sight.fit,
-    point: (x, y) => pointed(at(x, y)),
+    point(x, y) {
+      stage.style.cursor = grabbed && heldAt(show.content, sight, x, y) ? "grab" : "";
+      pointed(at(x, y));
+    },
+    grab(x, y) {
+      const ball = grabbed && heldAt(show.content, sight, x, y);
+      if (!ball || !grabbed) return null;
+      const [way, tell] = [pulled(ball, sight, x, y), grabbed()];
+      return (nowX, nowY) => {
+        const moved = way(nowX, nowY);
+        if (moved) tell(moved.axis, moved.way);
+      };
+    },
     leave: () => pointed(null),
     pick(x, y) {
       const field = at(x, y);
       if (field !== null) return chosen(field);
+      const face = faced && faceAt(show.content.data, show.content.step.index, sight, x, y);
+      if (face) return faced?.(face);
       const entry = pick(show.scene.lines, sight.camera, sight.view, x, y);
       if (entry !== null) picked(entry);
     },
@@ -118,6 +142,12 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
     setLabel: label => stage.setAttribute("aria-label", label),
     onPick(callback) {
       picked = callback;
+    },
+    onFace(callback) {
+      faced = callback;
+    },
+    onGrab(callback) {
+      grabbed = callback;
     },
     onField(onPoint, onChoose) {
       [pointed, chosen] = [onPoint, onChoose];

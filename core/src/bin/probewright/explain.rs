@@ -4,20 +4,23 @@ use crate::alarms;
 use crate::file::{Problem, wrong};
 use probewright_core::catalogue::CYCLES;
 use probewright_core::entry::Cycle;
+use probewright_core::jog::masks;
 use probewright_core::message::Message;
 use probewright_core::report::explain::{cycle, datum, variant};
 use probewright_core::report::findings::finding;
+use probewright_core::report::jog::explained;
 use probewright_core::words::Words;
 use std::io::Write;
 use std::process::ExitCode;
 
-/// The help page of a variant of a cycle; else what a finding, an alarm, a parameter, a result or a datum of the
+/// The help page of a variant of a cycle, or of a mask of measuring in JOG; else what a finding, an alarm, a parameter, a result or a datum of the
 /// machine means.
 pub fn explain(name: &str, number: Option<i64>, words: &Words, out: &mut dyn Write) -> Result<ExitCode, Problem> {
     let found = CYCLES.iter().find(|one| one.name.eq_ignore_ascii_case(name));
-    let text = match found {
-        Some(found) => page(found, number, words)?,
-        None => datum(name, words) + &finding(name, words),
+    let text = match (found, masks::find(name)) {
+        (Some(found), _) => page(found, number, words)?,
+        (None, Some(mask)) => explained(mask, words),
+        (None, None) => datum(name, words) + &finding(name, words),
     };
     if text.is_empty() {
         return alarms::alarms(Some(name), false, words, out)

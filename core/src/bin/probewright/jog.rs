@@ -2,7 +2,7 @@
 
 use crate::file;
 use crate::file::Problem;
-use probewright_core::app::{self, JogLine, JogView, JogWrong};
+use probewright_core::app::{self, Change, JogAhead, JogLine, JogResult, JogView, JogWrong, Raised};
 use probewright_core::control::{AXES, Control, delivery};
 use probewright_core::dialect::Dialect;
 use probewright_core::jog::mask::{Field, Mask, key};
@@ -25,6 +25,8 @@ pub struct Arguments {
     #[arg(long, value_name = "RANDOM")]
     random: Option<u64>,
     #[arg(long)]
+    what_if: bool,
+    #[arg(long)]
     masks: bool,
     #[arg(long)]
     json: bool,
@@ -43,6 +45,9 @@ pub fn jog(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Result<
         file::print_json(json::document(&view), words, out)?;
     } else {
         print(script, &view, words, out)?;
+        if arguments.what_if {
+            told_ahead(view.ahead.as_ref(), words).iter().try_for_each(|line| writeln!(out, "{line}"))?;
+        }
     }
     Ok(if failed { ExitCode::FAILURE } else { ExitCode::SUCCESS })
 }
@@ -106,10 +111,10 @@ fn lines(line: &JogLine, words: &Words) -> Vec<String> {
         let message = Message::new("jog-point").text("point", &point.name).text("place", place.join(", "));
         told.push(words.text(&message));
     }
-    for result in &line.results {
-        let unit = if result.unit == "deg" { "°" } else { " mm" };
-        told.push(format!("{} = {}{unit}", words.text(&result.label), rounded(result.value)));
-    }
+    told.extend(line.results.iter().map(|result| {
+        let (label, value) = shown(result, words);
+        format!("{label} = {value}")
+    }));
     for change in &line.changes {
         told.push(format!("{}: {} -> {}", change.name, rounded(change.before), rounded(change.after)));
     }
@@ -117,11 +122,54 @@ fn lines(line: &JogLine, words: &Words) -> Vec<String> {
     if let Some(raised) = &line.raised {
         let code = Message::new("terminal-raised").text("alarm", &raised.code);
         let code = if raised.code.is_empty() { String::new() } else { words.text(&code) + ": " };
-        let hint = raised.hint.as_ref().map_or(String::new(), |hint| format!(" {}", words.text(hint)));
-        told.push(format!("{code}{}{hint}", words.text(&raised.message)));
+        told.push(format!("{code}{}", reason(raised, words)));
     }
     told.extend(line.refused.iter().map(|message| words.text(message)));
     told
+}
+
+/// What is raised, and what helps.
+fn reason(raised: &Raised, words: &Words) -> String {
+    let hint = raised.hint.as_ref().map_or(String::new(), |hint| format!(" {}", words.text(hint)));
+    words.text(&raised.message) + &hint
+}
+
+/// A result with its unit.
+fn shown(result: &JogResult, words: &Words) -> (String, String) {
+    let unit = if result.unit == "deg" { "°" } else { " mm" };
+    (words.text(&result.label), format!("{}{unit}", rounded(result.value)))
+}
+
+/// What the next key would do, a line a thing.
+fn told_ahead(ahead: Option<&JogAhead>, words: &Words) -> Vec<String> {
+    let Some(ahead) = ahead else { return vec![words.key("jog-ahead-none")] };
+    let mut told: Vec<Message> = ahead.notes.clone();
+    for at in &ahead.touches {
+        let place = AXES.iter().zip(at).map(|(axis, value)| format!("{axis} {}", rounded(*value)));
+        told.push(Message::new("jog-ahead-touch").text("place", place.collect::<Vec<_>>().join(", ")));
+    }
+    told.extend(ahead.point.iter().map(|point| Message::new("jog-ahead-store").text("point", point)));
+    told.extend(ahead.raised.iter().map(|raised| {
+        let key = if raised.code.is_empty() { "jog-ahead-stop" } else { "jog-ahead-raise" };
+        Message::new(key).text("alarm", &raised.code).text("text", reason(raised, words))
+    }));
+    told.extend(ahead.refused.iter().map(|why| Message::new("jog-ahead-refuse").text("text", words.text(why))));
+    told.extend(ahead.results.iter().map(|result| {
+        let (label, value) = shown(result, words);
+        Message::new("jog-ahead-show").text("label", label).text("value", value)
+    }));
+    told.extend(ahead.changes.iter().map(|Change { name, before, after, .. }| {
+        let [before, after] = [*before, *after].map(|value| rounded(value).to_string());
+        Message::new("jog-ahead-write").text("label", name).text("before", before).text("after", after)
+    }));
+    if !ahead.results.is_empty() && ahead.changes.is_empty() {
+        told.push(Message::new("jog-ahead-nothing"));
+    }
+    if ahead.activates {
+        told.push(Message::new("jog-ahead-activates"));
+    }
+    let heading = words.key(if ahead.start { "jog-ahead-start" } else { "jog-ahead-calculate" });
+    std::iter::once(heading).chain(told.iter().map(|one| format!("  {}", words.text(one)))).collect()
 }
 
 /// The masks, with their fields and what these take.

@@ -1,6 +1,7 @@
 //! Two, three and four holes or circular spigots (B:3380-3595).
 
 use super::shared::{YES, hole_diameter, infeed, set_angle, spigot_diameter, turned_offset, writing, x0, y0};
+use crate::jog::help::{Line, before, corrects, measures, wrong};
 use crate::jog::mask::{Area, Element, Field, Function, Kind, Least, Mask, Show, Task};
 
 const SHOWS: &[Show] =
@@ -32,46 +33,75 @@ const Y0: Field = y0("B:3490;B:3565");
 const SEVERAL_HOLES: &[Field] = &[OFFSET, HOLE, X0, Y0, TURNS, TURNED_ANGLE];
 const SEVERAL_SPIGOTS: &[Field] = &[OFFSET, SPIGOT, INFEED, X0, Y0, TURNS, TURNED_ANGLE];
 
-const fn centres(
-    name: &'static str,
-    inside: bool,
-    points: usize,
-    fields: &'static [Field],
-    shows: &'static [Show],
+const MEASURES_TURN: Line = measures("jog-help-centres-2-measures", "B:3382-3389");
+const MEASURES_CIRCLE: Line = measures("jog-help-centres-3-measures", "B:3456-3458");
+const MEASURES_CROSSING: Line = measures("jog-help-centres-4-measures", "B:3528-3530");
+const TURN: Line = corrects("jog-help-turn-corrects", "B:3435-3443");
+const ROTARY: Line = corrects("jog-help-turn-corrects-rotary", "B:3418-3420;B:3441");
+const CENTRE: Line = corrects("jog-help-centre-corrects", "B:3515;B:3590");
+const TURN_TOO: Line = corrects("jog-help-several-corrects", "B:3515;B:3590");
+const EXCHANGED: Line = wrong("jog-help-centres-wrong", "B:3399-3408");
+const SAME_POINTS: Line = wrong("jog-help-centres-wrong-same", "A:15911");
+const NO_CIRCLE: Line = wrong("jog-help-centres-3-wrong", "A:15857");
+const PARALLEL: Line = wrong("jog-help-centres-4-wrong", "A:15912");
+
+/// Fields, where the manual describes it, and what each mask of as many centres has: holes, then spigots.
+struct Several {
+    fields: [&'static [Field]; 2],
+    help: [&'static [Line]; 2],
     source: &'static str,
-) -> Mask {
-    Mask { name, task: Task::Centres(Element { round: true, inside }), points, fields, shows, source }
 }
 
-const fn several(name: &'static str, inside: bool, points: usize, source: &'static str) -> Mask {
-    let fields = if inside { SEVERAL_HOLES } else { SEVERAL_SPIGOTS };
-    centres(name, inside, points, fields, SHOWS, source)
+const fn centres(name: &'static str, inside: bool, points: usize, of: &Several) -> Mask {
+    let place = if inside { 0 } else { 1 };
+    let (fields, help, source) = (of.fields[place], of.help[place], of.source);
+    Mask { name, task: Task::Centres(Element { round: true, inside }), points, fields, shows: SHOWS, help, source }
 }
+
+const OF_TWO: Several = Several {
+    fields: [
+        &[OFFSET, HOLE, ANGLE_OFFSET, SET_ANGLE, SET_P1, X1, Y1],
+        &[OFFSET, SPIGOT, INFEED, ANGLE_OFFSET, SET_ANGLE, SET_P1, X1, Y1],
+    ],
+    help: [
+        &[MEASURES_TURN, before("jog-help-holes-2-before", "B:3395;B:3414"), TURN, ROTARY, EXCHANGED, SAME_POINTS],
+        &[MEASURES_TURN, before("jog-help-spigots-2-before", "B:3395;B:3414"), TURN, ROTARY, EXCHANGED, SAME_POINTS],
+    ],
+    source: "B:3380-3448",
+};
+
+const OF_THREE: Several = Several {
+    fields: [SEVERAL_HOLES, SEVERAL_SPIGOTS],
+    help: [
+        &[MEASURES_CIRCLE, before("jog-help-holes-3-before", "B:3464"), CENTRE, TURN_TOO, EXCHANGED, NO_CIRCLE],
+        &[MEASURES_CIRCLE, before("jog-help-spigots-3-before", "B:3464"), CENTRE, TURN_TOO, EXCHANGED, NO_CIRCLE],
+    ],
+    source: "B:3454-3520",
+};
+
+const OF_FOUR: Several = Several {
+    fields: [SEVERAL_HOLES, SEVERAL_SPIGOTS],
+    help: [
+        &[MEASURES_CROSSING, before("jog-help-holes-4-before", "B:3536"), CENTRE, TURN_TOO, EXCHANGED, PARALLEL],
+        &[MEASURES_CROSSING, before("jog-help-spigots-4-before", "B:3536"), CENTRE, TURN_TOO, EXCHANGED, PARALLEL],
+    ],
+    source: "B:3526-3595",
+};
 
 pub(super) const TWO: Function = Function {
     name: "centres_2",
     area: Area::Hole,
-    masks: &[
-        centres("holes_2", true, 2, &[OFFSET, HOLE, ANGLE_OFFSET, SET_ANGLE, SET_P1, X1, Y1], SHOWS, "B:3380-3448"),
-        centres(
-            "spigots_2",
-            false,
-            2,
-            &[OFFSET, SPIGOT, INFEED, ANGLE_OFFSET, SET_ANGLE, SET_P1, X1, Y1],
-            SHOWS,
-            "B:3380-3448",
-        ),
-    ],
+    masks: &[centres("holes_2", true, 2, &OF_TWO), centres("spigots_2", false, 2, &OF_TWO)],
 };
 
 pub(super) const THREE: Function = Function {
     name: "centres_3",
     area: Area::Hole,
-    masks: &[several("holes_3", true, 3, "B:3454-3520"), several("spigots_3", false, 3, "B:3454-3520")],
+    masks: &[centres("holes_3", true, 3, &OF_THREE), centres("spigots_3", false, 3, &OF_THREE)],
 };
 
 pub(super) const FOUR: Function = Function {
     name: "centres_4",
     area: Area::Hole,
-    masks: &[several("holes_4", true, 4, "B:3526-3595"), several("spigots_4", false, 4, "B:3526-3595")],
+    masks: &[centres("holes_4", true, 4, &OF_FOUR), centres("spigots_4", false, 4, &OF_FOUR)],
 };

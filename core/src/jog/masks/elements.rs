@@ -1,6 +1,7 @@
 //! Pocket, hole and spigots, one of them (B:3258-3374).
 
 use super::shared::{hole_diameter, infeed, offset, spigot_diameter, touching, x0, y0};
+use crate::jog::help::{Line, before, corrects, measures, order, wrong};
 use crate::jog::mask::{Area, Element, Field, Function, Kind, Least, Mask, Show, Task};
 
 /// Length in the first axis.
@@ -31,14 +32,31 @@ const fn element(
     inside: bool,
     fields: &'static [Field],
     shows: &'static [Show],
+    help: &'static [Line],
 ) -> Mask {
-    Mask { name, task: Task::Element(Element { round, inside }), points: 1, fields, shows, source: "B:3315-3374" }
+    Mask { name, task: Task::Element(Element { round, inside }), points: 1, fields, shows, help, source: "B:3315-3374" }
 }
+
+const CORRECTS: Line = corrects("jog-help-centre-corrects", "B:3357;B:3369");
+const TURNED: Line = order("jog-help-round-order", "B:3353-3355");
+const LEANS: Line = wrong("jog-help-rect-wrong", "B:3319");
 
 pub(super) const POCKET: Function = Function {
     name: "pocket_rect",
     area: Area::Hole,
-    masks: &[element("pocket_rect", false, true, &[offset("A:3928"), LENGTH, WIDTH, X0, Y0], RECTANGLE)],
+    masks: &[element(
+        "pocket_rect",
+        false,
+        true,
+        &[offset("A:3928"), LENGTH, WIDTH, X0, Y0],
+        RECTANGLE,
+        &[
+            measures("jog-help-pocket-rect-measures", "B:3315-3328"),
+            before("jog-help-pocket-rect-before", "B:3328;B:3343"),
+            CORRECTS,
+            LEANS,
+        ],
+    )],
 };
 
 pub(super) const HOLE: Function = Function {
@@ -50,6 +68,12 @@ pub(super) const HOLE: Function = Function {
         true,
         &[offset("A:3890"), hole_diameter("B:3345-3347"), CONTACT_ANGLE, X0, Y0],
         ROUND,
+        &[
+            measures("jog-help-hole-1-measures", "B:3315-3328"),
+            before("jog-help-hole-1-before", "B:3328;B:3345-3347;A:3236"),
+            TURNED,
+            CORRECTS,
+        ],
     )],
 };
 
@@ -62,6 +86,12 @@ pub(super) const RECTANGULAR_SPIGOT: Function = Function {
         false,
         &[offset("A:3919"), LENGTH, WIDTH, infeed("B:3349-3351"), X0, Y0],
         RECTANGLE,
+        &[
+            measures("jog-help-spigot-rect-measures", "B:3315-3328"),
+            before("jog-help-spigot-rect-before", "B:3328;B:3343"),
+            CORRECTS,
+            LEANS,
+        ],
     )],
 };
 
@@ -74,5 +104,11 @@ pub(super) const SPIGOT: Function = Function {
         false,
         &[offset("A:3900"), spigot_diameter("B:3345-3347"), infeed("B:3349-3351"), CONTACT_ANGLE, X0, Y0],
         ROUND,
+        &[
+            measures("jog-help-spigot-1-measures", "B:3315-3328"),
+            before("jog-help-spigot-1-before", "B:3328;B:3345-3347"),
+            TURNED,
+            CORRECTS,
+        ],
     )],
 };

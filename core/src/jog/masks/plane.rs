@@ -1,6 +1,7 @@
 //! Align plane (B:3601-3674).
 
 use super::shared::turned_offset;
+use crate::jog::help::{before, corrects, measures, wrong};
 use crate::jog::mask::{Area, Function, Mask, Show, Task};
 
 pub(super) const ALIGN: Function = Function {
@@ -12,6 +13,13 @@ pub(super) const ALIGN: Function = Function {
         points: 3,
         fields: &[turned_offset("B:3653")],
         shows: &[Show::Rotation, Show::Measuring, Show::Angle("alpha"), Show::Angle("beta")],
+        help: &[
+            measures("jog-help-align-plane-measures", "B:3641-3645"),
+            before("jog-help-align-plane-before", "B:3649"),
+            corrects("jog-help-align-plane-corrects", "B:3641-3645;B:3669"),
+            wrong("jog-help-align-plane-wrong", "B:3649"),
+            wrong("jog-help-align-plane-wrong-orientation", "B:3802-3808"),
+        ],
         source: "B:3601-3674",
     }],
 };

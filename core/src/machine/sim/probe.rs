@@ -7,7 +7,11 @@ use crate::geometry::{Degrees, Dir, Mcs};
 use crate::machine::{MotionKind, Route, Step, Stop};
 use crate::message::Message;
 use crate::workpiece::probe::{Stand, ball_offset, touch};
-use crate::workpiece::{Feeler, Obstacle, Touching};
+use crate::workpiece::{Body, Contact, Feeler, Obstacle, Touching};
+
+/// How far the ball is lifted off a face so that it does not touch, and how far is looked for what is opposite, mm.
+const JUST_FREE: f64 = 0.01;
+const WIDEST: f64 = 1000.0;
 
 impl Sim {
     /// Whether the simulated probe is in use: type 710 or 580, or a measuring cycle of workpieces is running. Any other
@@ -71,6 +75,33 @@ impl Sim {
     /// From the point to which the tool length refers to the real centre of the ball.
     pub(super) fn ball(&self) -> Dir<Mcs> {
         self.ball_height() + ball_offset(&self.probe, self.probe_angle(), self.tool_axis())
+    }
+
+    /// Where the machine is when the ball is so far before the face of the part that is nearest to a point, mm, in the
+    /// direction out of the part there; at most in the middle between it and what is opposite, and there where the middle
+    /// is wanted and something is. None: there is no part.
+    pub fn before(&self, point: Mcs, normal: Dir<Mcs>, far: f64, middle: bool) -> Option<Mcs> {
+        if self.part.is_nothing() {
+            return None;
+        }
+        let radius = self.probe.radius;
+        let face = point + normal * -self.part.distance(point);
+        let ball = |away: f64| face + normal * (radius + away);
+        let room = match self.part.first(radius, ball(JUST_FREE), ball(JUST_FREE + WIDEST)) {
+            Contact::Hit(met) => Some((JUST_FREE + met.part * WIDEST) / 2.0),
+            _ => None,
+        };
+        let away = room.map_or(far, |room| if middle { room } else { far.min(room) });
+        Some(ball(away) + -self.ball())
+    }
+
+    /// Coordinate X Y Z of the machine at which the ball is so far above the part and the tool probes, mm.
+    pub fn above(&self, axis: usize, far: f64) -> f64 {
+        let mut up = Dir::default();
+        up[axis] = 1.0;
+        let probes = self.tool_probes.iter().map(|probe| Body::new(&probe.solid).farthest(up));
+        let top = probes.fold(self.part.farthest(up), f64::max);
+        top + self.probe.radius + far - self.ball()[axis]
     }
 
     /// A straight measuring motion; where the probe switched, if it did.
