@@ -6,6 +6,7 @@ pub mod activation;
 mod calculate;
 mod calibrating;
 pub mod chance;
+pub mod counterpart;
 pub mod evaluate;
 pub mod mask;
 pub mod masks;
