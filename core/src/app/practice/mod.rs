@@ -1,0 +1,197 @@
+//! Measuring in JOG as a page shows it: a session carried out from its script, with its part as it lies.
+
+mod screen;
+mod view;
+
+pub use view::{
+    PracticeActivation, PracticeArea, PracticeChoice, PracticeDeviation, PracticeField, PracticeFigure,
+    PracticeFunction, PracticeKeys, PracticeMachine, PracticeMask, PracticePoint, PracticeRefusal, PracticeRequest,
+    PracticeShow, PracticeUse, PracticeView, PracticeWord,
+};
+
+use super::Error;
+use super::changes::Change;
+use super::jog::{act, changed, note};
+use super::outcome::Raised;
+use super::predict::PartSliders;
+use super::start::{Machine, start};
+use crate::control::Store;
+use crate::dialect::Dialect;
+use crate::geometry::Rpy;
+use crate::jog::chance::Truth;
+use crate::jog::practice::{self, Piece};
+use crate::jog::script::{Command, Line, Wrong, read};
+use crate::jog::shadow::{Deviation, Shadow};
+use crate::jog::{Session, State, measures};
+use crate::machine::{MotionKind, Setup, Step};
+use crate::message::Message;
+use crate::refused::Path;
+use crate::run::outcome::Outcome;
+use crate::scene::Source;
+
+/// Carries out a session; what is to be seen of it begins where the mask was opened.
+///
+/// # Errors
+/// A control that does not measure in JOG, or a machine that cannot be.
+pub fn practise(asked: PracticeRequest) -> Result<(PracticeView, Source), Error> {
+    if !measures(asked.control) {
+        return Err(Error::new("jog-no-jog", Path::of(&["control"])));
+    }
+    let mut stands = Stands::new(asked.control, asked.setup, asked.piece)?;
+    let truth = asked.seed.map_or_else(|| placed(asked.part, &stands.setup), |seed| Truth::by(seed.into()));
+    let mut course = Course::new(&mut stands.setup, truth);
+    let (lines, wrong) = legible(&asked.script);
+    let mut refused = wrong.map(|Wrong { line, message, hint }| PracticeRefusal { line, message, hint: Some(hint) });
+    for line in &lines {
+        if let Err(message) = course.carry_out(line) {
+            refused = Some(PracticeRefusal { line: line.number, message, hint: None });
+            break;
+        }
+    }
+    Ok(course.seen(stands, refused))
+}
+
+/// The machine on which is practised.
+struct Stands {
+    setup: Setup,
+    piece: Option<Piece>,
+}
+
+impl Stands {
+    fn new(control: Dialect, machine: Option<Machine>, piece: Option<Piece>) -> Result<Stands, Error> {
+        let described = matches!(machine, Some(Machine::File(_)));
+        let start = start(control, machine)?;
+        let mills = described && !start.setup.workpiece.solids.is_empty() && !start.setup.control.turns();
+        let piece = piece.unwrap_or_default();
+        Ok(match mills {
+            true => Stands { setup: start.setup, piece: None },
+            false => Stands { setup: practice::machine(piece), piece: Some(piece) },
+        })
+    }
+}
+
+/// The part as sliders put it: turned about the applicate.
+fn placed(part: Option<PartSliders>, setup: &Setup) -> Truth {
+    let part = part.unwrap_or_default();
+    let [.., applicate] = setup.control.plane.axes();
+    let tilt = Rpy::about(applicate, part.tilt);
+    Truth { seed: 0, shift: [part.dx, part.dy, part.dz], tilt, size: part.size }
+}
+
+/// The lines up to the first that cannot be read.
+fn legible(script: &str) -> (Vec<Line>, Option<Wrong>) {
+    match read(script) {
+        Ok(lines) => (lines, None),
+        Err(wrong) => {
+            let before = script.lines().take(wrong.line.saturating_sub(1) as usize).collect::<Vec<_>>().join("\n");
+            (read(&before).unwrap_or_default(), Some(wrong))
+        }
+    }
+}
+
+/// A session on its way.
+struct Course {
+    session: Session,
+    shadow: Shadow,
+    truth: Truth,
+    /// The machine as it was when the mask was opened, and how many entries the trace had.
+    begun: (Setup, usize),
+    /// Entries before the last line.
+    last: usize,
+    notes: Vec<Message>,
+    changes: Vec<Change>,
+    deviation: Option<(Store, Deviation)>,
+}
+
+impl Course {
+    /// Puts the part, too.
+    fn new(setup: &mut Setup, truth: Truth) -> Course {
+        let shadow = Shadow::new(setup, truth);
+        truth.put(setup);
+        let session = Session::new(setup);
+        let begun = (setup.clone(), 0);
+        let (notes, changes) = (Vec::new(), Vec::new());
+        let mut course = Course { session, shadow, truth, begun, last: 0, notes, changes, deviation: None };
+        course.begin();
+        course
+    }
+
+    /// What is to be seen begins here: with the tool where it is.
+    fn begin(&mut self) {
+        let sim = &mut self.session.sim;
+        self.begun.0.control = sim.control.clone();
+        self.begun.0.position = sim.position;
+        self.begun.1 = sim.trace.entries.len();
+        let at = sim.position;
+        sim.note(Step::Motion { kind: MotionKind::Rapid, from: at, to: at, around: None, feed: 0.0 });
+        self.changes.clear();
+        self.deviation = None;
+    }
+
+    fn carry_out(&mut self, line: &Line) -> Result<(), Message> {
+        let from = self.session.sim.position;
+        let shown = self.session.outcome().clone();
+        let before = self.session.sim.trace.entries.len();
+        act(&mut self.session, &line.command)?;
+        self.last = before;
+        match &line.command {
+            Command::Start(false) => self.shadow.measure(from, &self.session),
+            Command::Move(..) | Command::Start(true) | Command::Reset | Command::Activate => {
+                self.shadow.follow(|_| Ok(()), &self.session);
+            }
+            other => self.shadow.follow(|session| act(session, other), &self.session),
+        }
+        let steps: Vec<Step> = self.session.sim.trace.entries.behind(before).map(|entry| entry.step).collect();
+        self.notes = steps.iter().filter_map(note).collect();
+        let control = &self.session.sim.control;
+        let written: Vec<Change> = steps.iter().filter_map(|step| changed(control, step)).collect();
+        if self.session.outcome() != &shown && !self.session.outcome().results.is_empty() {
+            self.changes.clear();
+            let deviation = self.shadow.deviation(&self.session);
+            self.deviation = self.session.chosen().zip(deviation);
+        }
+        self.changes.extend(written);
+        let begins = match line.command {
+            Command::Mask(_) | Command::Tool(..) => true,
+            Command::Back => self.session.mask().is_none(),
+            _ => false,
+        };
+        if begins {
+            self.begin();
+        }
+        Ok(())
+    }
+
+    fn seen(self, stands: Stands, refused: Option<PracticeRefusal>) -> (PracticeView, Source) {
+        let session = &self.session;
+        let (setup, first) = self.begun;
+        let view = PracticeView {
+            areas: screen::areas(),
+            state: session.state(),
+            refused,
+            raised: session.stopped().map(|stop| match Raised::stop(stop) {
+                raised if session.state() == State::Alarm || raised.hint.is_some() => raised,
+                raised => Raised { hint: Some(Message::new("jog-crash-hint")), ..raised },
+            }),
+            notes: self.notes,
+            mask: session.mask().map(|mask| screen::shown(session, mask)),
+            activation: session.activation().map(|screen| screen::activation(session, screen)),
+            keys: screen::keys(session),
+            points: screen::points(session),
+            plc: session.plc(),
+            machine: screen::machine(session),
+            piece: stands.piece,
+            truth: self.truth,
+            deviation: self.deviation.map(|(store, deviation)| screen::told(&session.sim.control, store, deviation)),
+            changes: self.changes,
+            setup: stands.setup,
+            from: self.last.saturating_sub(first),
+        };
+        let mut outcome = Outcome::left_by(self.session.sim, &setup, None);
+        let mut entries = crate::machine::Entries::default();
+        outcome.trace.entries.behind(first).for_each(|entry| entries.push(entry));
+        outcome.trace.entries = entries;
+        let (zones, limits) = (Vec::new(), Vec::new());
+        (view, Source { setup, outcome, zones, limits, call: None, apart: true })
+    }
+}
