@@ -2,6 +2,7 @@
 
 use super::table::{Counterpart, Holds, Layout, Source, TABLE};
 use super::word;
+use crate::catalogue::cycle961::edges;
 use crate::check;
 use crate::control::{AXES, Control, ROTARY};
 use crate::entry::{Cycle, Inputs, Typed, names};
@@ -149,8 +150,8 @@ impl Back<'_> {
     fn position(&self) -> usize {
         let of = |name| self.inputs.value(name);
         let (left, lower) = if self.placed() {
-            let (first, between) = (of(names::STA1), of(names::INCA));
-            let [(sine, cosine), (rise, run)] = [first, first + between].map(|angle: f64| angle.to_radians().sin_cos());
+            let edges = edges(self.inputs, self.control);
+            let [(sine, cosine), (rise, run)] = edges.map(|angle| angle.to_radians().sin_cos());
             (cosine + run > 0.0, sine + rise > 0.0)
         } else {
             let pair = |one, two| (of(one) + of(two)) / 2.0;

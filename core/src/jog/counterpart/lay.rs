@@ -8,7 +8,6 @@ use crate::geometry::{Degrees, Dir, V3, Wcs};
 use crate::jog::calculate::{self, corner_sides};
 use crate::jog::evaluate::Flat;
 use crate::jog::settings::Settings;
-use crate::jog::stylus::Stylus;
 
 /// The cycle goes so much away from the edges of a corner, degree (B:7996).
 const AWAY: f64 = 10.0;
@@ -115,7 +114,7 @@ impl Told<'_> {
             return Ok((self.placed(self.from(), centre), Vec::new()));
         }
         let settings = Settings::of(&self.control);
-        let ball = Stylus::of(&self.control, settings.probe.0, settings.probe.1).radius;
+        let ball = self.stylus().radius;
         let reach = self.field("diameter") / 2.0 + ball + settings.path;
         let (sine, cosine) = Degrees(self.field("contact_angle")).sin_cos();
         let at = [centre[0] + reach * cosine, centre[1] + reach * sine];

@@ -4,8 +4,6 @@
 mod back;
 mod lay;
 mod table;
-#[cfg(test)]
-mod tests;
 mod value;
 
 pub use back::{Masked, masked};
@@ -14,17 +12,19 @@ pub use table::{Counterpart, Holds, Layout, Source, TABLE};
 use super::mask::{Mask, Task};
 use super::offset;
 use super::session::Session;
-use super::settings;
+use super::settings::{self, Settings};
+use super::stylus::Stylus;
 use super::values::Values;
 use crate::catalogue;
-use crate::control::{Control, Plane, Store};
+use crate::catalogue::sinumerik::measuring_block::follow;
+use crate::control::{Control, Store};
 use crate::entry::{Cycle, Typed};
-use crate::geometry::{Mcs, Wcs};
+use crate::geometry::{Mcs, TOLERANCE, Wcs};
 use crate::message::Message;
 use lay::{Laid, lay};
 
 /// A call that does what a mask does.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct Call {
     /// The cycle.
     pub cycle: &'static Cycle,
@@ -32,11 +32,9 @@ pub struct Call {
     pub variant: i64,
     /// Its values, as typed.
     pub values: Typed,
-    /// Working plane.
-    pub plane: Plane,
-    /// The settable frame that is active while it measures.
-    pub settable: usize,
-    /// Where the probe or the tool stands at the call, in the WCS with that frame, mm.
+    /// The control as it is while the call measures, with its plane and settable frame.
+    pub control: Control,
+    /// Where the probe or the tool stands at the call, in the WCS then, mm.
     pub start: Wcs,
     /// What is different.
     pub differs: Vec<Message>,
@@ -90,6 +88,12 @@ impl<'a> Told<'a> {
             target: session.chosen(),
             control,
         }
+    }
+
+    /// What the control knows of the probe.
+    fn stylus(&self) -> Stylus {
+        let (field, mono) = Settings::of(&self.control).probe;
+        Stylus::of(&self.control, field, mono)
     }
 
     /// Whether a condition of the table holds.
@@ -150,10 +154,9 @@ fn made(told: &Told, counterpart: &Counterpart, laid: &Laid) -> Result<Call, Mes
         cycle,
         variant: counterpart.variant,
         values,
-        plane: told.control.plane,
-        settable: told.control.settable,
-        start: laid.start,
         differs: told.differs(counterpart, laid),
+        control: told.control.clone(),
+        start: laid.start,
     })
 }
 
@@ -169,6 +172,13 @@ impl Told<'_> {
         all
     }
 
+    /// Whether the spindle follows a turned WCS in JOG and not in the cycle, or the other way round (B:13973-13987).
+    fn turns_otherwise(&self) -> bool {
+        let settings = Settings::of(&self.control);
+        let turned = follow(&self.control).is_some_and(|angle| (angle - self.control.spindle).0.abs() > TOLERANCE);
+        !settings.probe.1 && turned && settings.follows != self.control.bit("_CHBIT[13]")
+    }
+
     /// What is written elsewhere, or otherwise.
     fn written(&self, counterpart: &Counterpart) -> Vec<&'static str> {
         if self.mask.task.of_tool() {
@@ -176,8 +186,14 @@ impl Told<'_> {
             let alike = self.control.bit("_JM_B[0]") == self.control.bit("_CHBIT[3]");
             return if measures && !alike { vec!["jog-differs-tool-memory"] } else { Vec::new() };
         }
-        let Some(target) = self.target else { return Vec::new() };
         let mut all = Vec::new();
+        if self.turns_otherwise() {
+            all.push("jog-differs-spindle");
+        }
+        if counterpart.layout == Layout::Before && self.stylus().skew != [0.0; 2] {
+            all.push("jog-differs-skew");
+        }
+        let Some(target) = self.target else { return all };
         let set = |name: &str| self.values.number(name) != 0.0;
         if matches!(counterpart.layout, Layout::Points { .. }) && (set("x0") || set("y0")) {
             all.push("jog-differs-corner-zero");

@@ -247,7 +247,7 @@ const fn corner(
 
 const fn width(variant: i64, inside: bool, also: &'static [i64], source: &'static str) -> Counterpart {
     let (values, differs): (&'static [_], &'static [_]) =
-        if inside { (GROOVE, &[EXPECTED, STAND]) } else { (WEB, &[EXPECTED, STAND, "jog-differs-up"]) };
+        if inside { (GROOVE, &[EXPECTED, STAND, FOUND]) } else { (WEB, &[EXPECTED, STAND, FOUND, "jog-differs-up"]) };
     let layout = Layout::Middle { inside };
     Counterpart {
         mask: "distance",
@@ -400,7 +400,7 @@ pub const TABLE: &[Counterpart] = &[
             PROBE,
             FEED,
         ],
-        differs: &[FOUND],
+        differs: &[FOUND, "jog-differs-level"],
         source: "B:7324;B:7605",
         ..PLAIN
     },

@@ -101,10 +101,9 @@ impl Told<'_> {
             }
             _ => Vec::new(),
         };
-        let (field, mono) = settings.probe;
         let ball = match self.mask.task {
             Task::Ring => Stylus::ideal(&self.control),
-            _ => Stylus::of(&self.control, field, mono),
+            _ => self.stylus(),
         };
         let room = sizes.into_iter().map(|size| size / 2.0 - ball.radius).fold(settings.path, f64::min);
         (room * DIGITS).floor().max(1.0) / DIGITS
