@@ -20,7 +20,7 @@ pub use catalogue::catalogue;
 pub use form::form;
 #[cfg(feature = "program")]
 pub use program::{
-    Answer, Held, Recogniser, Run, alarms, change, convert, cure, equip, form_seen, help, machine, practise, read,
+    Answer, Held, Recogniser, Run, alarms, as_mask, as_program, change, convert, cure, equip, form_seen, help, machine, practise, read,
     setup, story,
 };
 #[cfg(feature = "program")]

@@ -137,6 +137,7 @@ terminal-script-text = Skript: eine Zeile je Taste, Wert oder Bewegung, zum Beis
 terminal-jog-setup-text = Datei mit der Maschineneinrichtung, mit Messtaster, Werkstück und NV, siehe docs/setup.schema.json
 terminal-random-text = Werkstück zufällig legen: verschoben, gedreht, in anderer Größe; dieselbe Zahl ergibt dasselbe Werkstück
 terminal-masks-text = Masken mit ihren Feldern auflisten, und was diese annehmen
+terminal-as-program-text = Den automatischen Zyklus ausgeben, der dasselbe macht wie die offene Maske, und was anders ist
 terminal-help-text = Hilfe anzeigen
 terminal-version-text = Version anzeigen
 terminal-value-command = BEFEHL

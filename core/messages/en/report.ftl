@@ -141,6 +141,7 @@ terminal-script-text = Script: a line for each key, value or motion, for example
 terminal-jog-setup-text = Setup file of the machine, with probe, part and zero offsets, see docs/setup.schema.json
 terminal-random-text = Place the part at random: moved, rotated, of another size; the same number makes the same part
 terminal-masks-text = List the masks with their fields, and what they take
+terminal-as-program-text = Print the automatic cycle that does what the mask that is open does, and what differs
 terminal-help-text = Show help
 terminal-version-text = Show the version
 terminal-value-command = COMMAND

@@ -137,6 +137,7 @@ terminal-script-text = 脚本：每行一个按键、数值或移动，例如“
 terminal-jog-setup-text = 机床配置文件，含测头、工件和零点偏移，见 docs/setup.schema.json
 terminal-random-text = 随机放置工件：移动、旋转、尺寸不同；同一数字得到同一工件
 terminal-masks-text = 列出输入画面及其字段和可输入的内容
+terminal-as-program-text = 输出与打开的画面功能相同的自动循环及其区别
 terminal-help-text = 显示帮助
 terminal-version-text = 显示版本
 terminal-value-command = 命令

@@ -7,6 +7,7 @@ mod alarms;
 mod as_program;
 mod hostile;
 mod loops;
+mod on_the_machine;
 mod practice;
 mod printed;
 mod settings;

@@ -52,3 +52,6 @@ practice-part-help = Eine neue Lage beginnt die Sitzung von vorn.
 practice-shift = Versatz
 practice-tilt = Drehung
 practice-stand-in = Auf dem Tisch Ihrer Maschine liegt kein Werkstück, oder sie ist eine Drehmaschine. Geübt wird an einer Fräsmaschine mit Werkstück.
+practice-program = Als Programm
+practice-program-insert = In das Programm einfügen
+practice-program-differs = Was anders ist

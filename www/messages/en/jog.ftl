@@ -52,3 +52,6 @@ practice-part-help = A new position starts the session again.
 practice-shift = Shift
 practice-tilt = Rotation
 practice-stand-in = Your machine has no part on its table, or it is a lathe. This is a milling machine with a part to practise on.
+practice-program = As a program
+practice-program-insert = Insert into the program
+practice-program-differs = What differs

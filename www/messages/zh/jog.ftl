@@ -52,3 +52,6 @@ practice-part-help = 改变位置后，练习重新开始。
 practice-shift = 偏移
 practice-tilt = 旋转
 practice-stand-in = 您的机床工作台上没有工件，或者是车床。这里使用一台带工件的铣床来练习。
+practice-program = 作为程序
+practice-program-insert = 插入程序
+practice-program-differs = 区别

@@ -19,6 +19,9 @@ import type {
   HelpView,
   MachineRequest,
   MachineView,
+  PracticeCall,
+  PracticeCallRequest,
+  PracticeProgram,
   PracticeRequest,
   PracticeView,
   ReadRequest,
@@ -82,6 +85,10 @@ export interface ProgramCore extends FormCore {
   equip(request: EquipRequest): EquipView;
   story(request: FormRequest): Story;
   practise(request: PracticeRequest): Practised;
+  /** What the mask that is open means as a program. */
+  asProgram(request: PracticeRequest): PracticeProgram;
+  /** The mask that measures what a call measures; null: there is none. */
+  asMask(request: PracticeCallRequest): PracticeCall | null;
   /** Takes the bytes of a file in pieces. */
   recogniser(): { take(bytes: Uint8Array): void; finish(): Recognised };
   /** The setup of a file, with its defaults; or why it is none. */
@@ -238,6 +245,9 @@ export async function loadProgramCore(): Promise<ProgramCore> {
     module,
     simulates: "yes",
     practise: practised,
+    asProgram: request =>
+      JSON.parse(call("as_program", () => wasm.as_program(JSON.stringify(request)))) as PracticeProgram,
+    asMask: request => JSON.parse(call("as_mask", () => wasm.as_mask(JSON.stringify(request)))) as PracticeCall | null,
     setup: setupOf,
     change: request => changes(request, null),
     recogniser,

@@ -5,7 +5,7 @@ import type { Practised, ProgramCore } from "../core/program";
 import { parseNumber, plain } from "../numbers";
 import { AS_SET_UP, type JogState, profile, type State } from "../state/state";
 import type { Store } from "../state/store";
-import type { PracticeChoice, PracticeRequest } from "../wire";
+import type { PracticeCallRequest, PracticeChoice, PracticeRequest } from "../wire";
 
 export interface Practice {
   /** Asks what is on the screen, unless that is known. */
@@ -23,6 +23,10 @@ export interface Practice {
   lay(part: JogState["part"] | number): void;
   /** The lines of a script that somebody has kept. */
   take(text: string): void;
+  /** A call of a program as its mask; false: there is none. */
+  call(asked: PracticeCallRequest): boolean;
+  /** Whether what the mask means as a program is shown. */
+  program(shown: boolean): void;
   change(change: Partial<JogState>): void;
 }
 
@@ -50,18 +54,18 @@ export function scriptOf({ lines, seed, part, seen }: JogState): string {
 }
 
 export function createPractice(store: Store, core: () => ProgramCore | null): Practice {
-  const ask = (asked: Asked): Practised | null => {
+  const requestOf = (asked: Asked): PracticeRequest => {
     const { state } = store;
     const setup = profile(state);
-    const request: PracticeRequest = {
+    return {
       control: state.form.control,
       ...(setup ? { setup } : {}),
       ...(asked.piece ? { piece: asked.piece } : {}),
       script: asked.lines.join("\n"),
       ...(asked.seed === null ? { part: asked.part } : { seed: asked.seed }),
     };
-    return core()?.practise(request) ?? null;
   };
+  const ask = (asked: Asked): Practised | null => core()?.practise(requestOf(asked)) ?? null;
   const set = (jog: Partial<JogState>): void => store.update({ jog });
   /** With these lines, as far as they do something. */
   const carryOut = (change: Partial<Asked>, field = ""): void => {
@@ -75,8 +79,11 @@ export function createPractice(store: Store, core: () => ProgramCore | null): Pr
       return;
     }
     const done = refused ? lines.slice(0, refused.line - 1) : lines;
-    const told = refused ? { ...refused, field, text: last } : null;
-    set({ lines: done, seed, part, piece, seen, refused: told, setup: profile(store.state) ?? null });
+    const why = refused ? { ...refused, field, text: last } : null;
+    const program =
+      store.state.jog.program && (core()?.asProgram(requestOf({ lines: done, seed, part, piece })) ?? null);
+    const told = seen.mask ? store.state.jog.told : [];
+    set({ lines: done, seed, part, piece, seen, refused: why, told, program, setup: profile(store.state) ?? null });
   };
   const press = (line: string, field = ""): void => carryOut({ lines: [...store.state.jog.lines, line] }, field);
   return {
@@ -94,6 +101,7 @@ export function createPractice(store: Store, core: () => ProgramCore | null): Pr
       carryOut({ lines: [...(goesOn ? lines.slice(0, -1) : lines), line] });
     },
     open({ name, piece }) {
+      set({ told: [] });
       const { seen, lines } = store.state.jog;
       const here = !seen?.piece || seen.piece === piece;
       carryOut(here ? { lines: [...lines, `mask ${name}`] } : { lines: [`mask ${name}`], piece });
@@ -128,6 +136,20 @@ export function createPractice(store: Store, core: () => ProgramCore | null): Pr
         .filter(line => line);
       carryOut({ lines, seed: seed ? Number(seed) : null, part, piece });
       set({ revealed: !seed });
+    },
+    call(asked) {
+      const found = core()?.asMask(asked);
+      if (!found) return false;
+      const { mask, lines, told } = found;
+      const { seen, lines: before } = store.state.jog;
+      const here = !seen?.piece || seen.piece === mask.piece;
+      set({ told });
+      carryOut(here ? { lines: [...before, ...lines] } : { lines, piece: mask.piece });
+      return true;
+    },
+    program(shown) {
+      const { lines, seed, part, piece } = store.state.jog;
+      set({ program: shown ? (core()?.asProgram(requestOf({ lines, seed, part, piece })) ?? null) : null });
     },
     change: set,
   };

@@ -364,7 +364,7 @@ pub const TABLE: &[Counterpart] = &[
         "B:5655;B:6185",
     ),
     element("hole_1", 101, &[1, 1001, 1101], STRAIGHT, &[DIAMETER, TARGET, REACH, SAFE_REACH, PROBE, FEED], "B:5651;B:6181"),
-    angled("hole_1", 101, &[1], &[EXPECTED], "B:6770;B:7157"),
+    angled("hole_1", 101, &[1], &[EXPECTED, FOUND], "B:6770;B:7157"),
     element(
         "spigot_rect",
         106,
@@ -381,7 +381,7 @@ pub const TABLE: &[Counterpart] = &[
         &[DIAMETER, DOWN, TARGET, REACH, SAFE_REACH, PROBE, FEED],
         "B:5652;B:6182",
     ),
-    angled("spigot_1", 102, &[2], &[EXPECTED, "jog-differs-around"], "B:6771;B:7158"),
+    angled("spigot_1", 102, &[2], &[EXPECTED, FOUND, "jog-differs-around"], "B:6771;B:7158"),
     Counterpart {
         mask: "align_plane",
         cycle: "CYCLE998",
