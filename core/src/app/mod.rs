@@ -48,10 +48,10 @@ pub use jog::{JogLine, JogPoint, JogResult, JogView, JogWrong, jog};
 pub use machine::{MachineField, MachineGroup, MachineProblem, MachineRequest, MachineView, machine};
 pub use outcome::{Measured, Outcome, Raised};
 pub use practice::{
-    PracticeActivation, PracticeArea, PracticeCall, PracticeCallRequest, PracticeChoice, PracticeDeviation, PracticeField, PracticeFigure,
-    PracticeFunction, PracticeKeys, PracticeMachine, PracticeMask, PracticePoint, PracticeProgram, PracticeRefusal, PracticeRequest,
-    PracticeShow, PracticeUse, PracticeView, PracticeWord, as_mask, as_program, call_text, jog_program,
-    practise,
+    PracticeActivation, PracticeArea, PracticeCall, PracticeCallRequest, PracticeChoice, PracticeDeviation,
+    PracticeField, PracticeFigure, PracticeFunction, PracticeKeys, PracticeMachine, PracticeMask, PracticePoint,
+    PracticeProgram, PracticeRefusal, PracticeRequest, PracticeShow, PracticeUse, PracticeView, PracticeWord, as_mask,
+    as_program, call_text, jog_program, practise,
 };
 pub use predict::{ErrorLimit, ErrorSliders, PartSliders, ProbeSliders};
 pub use program::{Arrival, CallView, ProgramParameter, ProgramPlace, ReadRequest, ReadView, calls, read};

@@ -62,7 +62,8 @@ fn edges() -> Vec<Case> {
         set,
         ..case("set_edge", "CYCLE978", values, &[BESIDE[place]])
     };
-    let along = |values, places: &[usize]| Case { turns: true, ..case("align_edge", "CYCLE998", values, &beside(places)) };
+    let along =
+        |values, places: &[usize]| Case { turns: true, ..case("align_edge", "CYCLE998", values, &beside(places)) };
     let middle = |values, shape, starts: &[[f64; 3]]| Case {
         shape,
         set: [12.5, 0.0, 0.0],
@@ -75,11 +76,7 @@ fn edges() -> Vec<Case> {
         edge(&[("x0", "0.5"), ("axis", "Z"), ("direction", "-")], 5, [0.0; 3], [0.0, 0.0, 0.5]),
         along(&[("axis", "Y"), ("ref_axis", "X"), ("spec_angle", "1.5")], &[3, 4]),
         along(&[("axis", "X"), ("ref_axis", "Y"), ("spec_angle", "-0.5")], &[1, 0]),
-        middle(
-            &[("x0", "12.5"), ("axis", "X"), ("direction_2", "-")],
-            BLOCK,
-            &[[-70.0, 5.0, -8.0], [70.0, 5.0, -8.0]],
-        ),
+        middle(&[("x0", "12.5"), ("axis", "X"), ("direction_2", "-")], BLOCK, &[[-70.0, 5.0, -8.0], [70.0, 5.0, -8.0]]),
         middle(
             &[("x0", "12.5"), ("axis", "X"), ("direction_2", "-")],
             POCKET,
@@ -114,12 +111,7 @@ fn corners() -> Vec<Case> {
         corner("corner_any", &[("corner", "inside"), ("pos", "2")], POCKET, inside(1), 4),
         Case {
             turns: true,
-            ..case(
-                "align_plane",
-                "CYCLE998",
-                &[],
-                &[[-40.0, -30.0, 25.0], [40.0, -25.0, 25.0], [0.0, 30.0, 25.0]],
-            )
+            ..case("align_plane", "CYCLE998", &[], &[[-40.0, -30.0, 25.0], [40.0, -25.0, 25.0], [0.0, 30.0, 25.0]])
         },
     ]
 }
@@ -142,13 +134,7 @@ fn elements() -> Vec<Case> {
             ISLAND,
             5.0,
         ),
-        element(
-            "spigot_1",
-            "CYCLE977",
-            &[("diameter", "30"), ("dz", "12"), ("x0", "3"), ("y0", "-2")],
-            SPIGOT,
-            5.0,
-        ),
+        element("spigot_1", "CYCLE977", &[("diameter", "30"), ("dz", "12"), ("x0", "3"), ("y0", "-2")], SPIGOT, 5.0),
         element(
             "spigot_1",
             "CYCLE979",
@@ -226,7 +212,9 @@ fn comes_back(case: &Case, call: &Call, session: &Session, what: &str) {
     again.press(Input::Back).unwrap();
     for line in &back.lines {
         match line.split_once(" = ") {
-            Some((name, value)) => again.press(Input::Field(name, value)).unwrap_or_else(|why| panic!("{line}: {why:?}")),
+            Some((name, value)) => {
+                again.press(Input::Field(name, value)).unwrap_or_else(|why| panic!("{line}: {why:?}"))
+            }
             None => again.press(Input::Function(line.trim_start_matches("mask "))).unwrap(),
         }
     }
@@ -243,7 +231,8 @@ fn comes_back(case: &Case, call: &Call, session: &Session, what: &str) {
 
 /// How far two frames are from each other: translation in mm, rotation by its matrix.
 fn apart(one: &Frame, other: &Frame) -> (f64, f64) {
-    let whole = |frame: &Frame| V3::from(std::array::from_fn::<f64, 3, _>(|axis| frame.coarse[axis] + frame.fine[axis]));
+    let whole =
+        |frame: &Frame| V3::from(std::array::from_fn::<f64, 3, _>(|axis| frame.coarse[axis] + frame.fine[axis]));
     let turned = rigid::rotation(one.rotation).matrix() - rigid::rotation(other.rotation).matrix();
     ((whole(one) - whole(other)).norm(), turned.norm())
 }
@@ -335,7 +324,8 @@ fn measured(session: &mut Session, starts: &[Mcs], what: &str) -> Option<Call> {
     }
     session.sim.position = *last;
     session.carry_out(Input::Start).unwrap();
-    let ready = (session.state() == State::Ready).then(|| call(session).unwrap_or_else(|why| panic!("{what}: {why:?}")));
+    let ready =
+        (session.state() == State::Ready).then(|| call(session).unwrap_or_else(|why| panic!("{what}: {why:?}")));
     measure(session, &[], what);
     ready
 }
@@ -363,7 +353,11 @@ fn a_mask_without_a_counterpart_says_why() {
         ("corner_any", "jog-program-points"),
         ("align_plane", "jog-program-points"),
     ] {
-        super::open(&mut session, mask, &if mask.starts_with("spigots") { vec![("diameter", "30"), ("dz", "5")] } else { vec![] });
+        super::open(
+            &mut session,
+            mask,
+            &if mask.starts_with("spigots") { vec![("diameter", "30"), ("dz", "5")] } else { vec![] },
+        );
         assert_eq!(call(&session).unwrap_err().key, key, "{mask}");
         session.press(Input::Back).unwrap();
     }

@@ -183,7 +183,8 @@ fn cases() -> Vec<Case> {
 }
 
 /// Zero offsets that are corrected, and the settable frame that is active while measuring.
-pub(super) const TARGETS: [(&str, f64); 5] = [("G54", 1.0), ("G54", 0.0), ("G505", 2.0), ("$P_SETFR", 1.0), ("$P_CHBFR[0]", 1.0)];
+pub(super) const TARGETS: [(&str, f64); 5] =
+    [("G54", 1.0), ("G54", 0.0), ("G505", 2.0), ("$P_SETFR", 1.0), ("$P_CHBFR[0]", 1.0)];
 
 /// Where the ring stands in which the probe is calibrated, and its diameter, mm.
 const RING: ([f64; 3], f64) = ([-600.0, -600.0, 0.0], 50.0);

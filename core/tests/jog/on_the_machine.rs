@@ -24,7 +24,7 @@ fn every_function_is_done_on_its_machine() {
     let all: BTreeMap<String, Vec<String>> = serde_json::from_str(super::data!("jog_practice.json")).unwrap();
     for function in FUNCTIONS {
         let mask = function.masks[0].name;
-        let lines = all.get(mask).unwrap_or_else(|| panic!("{mask} has no lines"));
+        let lines = all.get(function.name).unwrap_or_else(|| panic!("{mask} has no lines"));
         let (view, _) = practise(asked(mask, lines)).unwrap();
         assert_eq!(view.refused, None, "{mask}");
         assert!(view.raised.is_none(), "{mask}: {:?}", view.raised);

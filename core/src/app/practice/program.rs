@@ -125,7 +125,8 @@ pub fn call_text(call: &Call) -> String {
     let [abscissa, ordinate, applicate] = control.plane.axes();
     let plane = 17 + control.plane as u16;
     let zero = control.make().settable_name(control.settable);
-    let [across, along] = [[Some(abscissa), Some(ordinate)], [Some(applicate), None]].map(|axes| words(control, *start, axes));
+    let [across, along] =
+        [[Some(abscissa), Some(ordinate)], [Some(applicate), None]].map(|axes| words(control, *start, axes));
     let written = snippet(cycle, values, control, Style::Direct, None).text;
     format!("G{plane} {zero}\nG0 {across}\n{along}\n{written}")
 }

@@ -1,8 +1,8 @@
 //! A call as the mask that does the same: its fields by the table the other way round, and what has no place in them.
 
-use super::table::{Counterpart, Holds, Layout, Source, TABLE};
 use super::word;
-use crate::catalogue::cycle961::edges;
+use super::{Counterpart, Holds, Layout, Source, TABLE};
+use crate::catalogue::in_jog::corner_edges;
 use crate::check;
 use crate::control::{AXES, Control, ROTARY};
 use crate::entry::{Cycle, Inputs, Typed, names};
@@ -150,7 +150,7 @@ impl Back<'_> {
     fn position(&self) -> usize {
         let of = |name| self.inputs.value(name);
         let (left, lower) = if self.placed() {
-            let edges = edges(self.inputs, self.control);
+            let edges = corner_edges(self.inputs, self.control);
             let [(sine, cosine), (rise, run)] = edges.map(|angle| angle.to_radians().sin_cos());
             (cosine + run > 0.0, sine + rise > 0.0)
         } else {
@@ -175,7 +175,8 @@ impl Back<'_> {
             let written = typed.get(param.name.as_str()).is_some_and(|text| !text.trim().is_empty());
             written && Some(param.name) != variant && !self.said.contains(&param.name)
         });
-        let without: Vec<&str> = without.filter(|param| param.need(self.inputs).is_some()).map(|one| one.name.as_str()).collect();
+        let without: Vec<&str> =
+            without.filter(|param| param.need(self.inputs).is_some()).map(|one| one.name.as_str()).collect();
         if self.mask.task.corrects() && self.inputs.variant / 100 % 10 != 1 {
             told.push(Message::new("jog-back-tool"));
         }

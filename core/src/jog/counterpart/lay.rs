@@ -1,7 +1,7 @@
 //! Where a call begins, and the ways and places that it needs, from the points that were touched. All in the WCS of the
 //! measurement, mm.
 
-use super::table::Layout;
+use super::Layout;
 use super::value::rounded;
 use super::{Point, Source, Told};
 use crate::geometry::{Degrees, Dir, V3, Wcs};
@@ -124,8 +124,7 @@ impl Told<'_> {
     /// From the point with the lower coordinate of the reference axis, as far from the edge as the farther of both.
     fn along(&self) -> Place {
         let [first, second] = self.all()? else { return Err(POINTS) };
-        let (measuring, reference) =
-            (calculate::axis(self.values, "axis"), calculate::axis(self.values, "ref_axis"));
+        let (measuring, reference) = (calculate::axis(self.values, "axis"), calculate::axis(self.values, "ref_axis"));
         let [first, second] = [first.from, second.from];
         let (low, high) = if first[reference] <= second[reference] { (first, second) } else { (second, first) };
         let way = rounded(high[reference] - low[reference]);

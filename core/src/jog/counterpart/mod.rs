@@ -3,11 +3,10 @@
 
 mod back;
 mod lay;
-mod table;
 mod value;
 
+pub use crate::catalogue::in_jog::{Counterpart, Holds, Layout, Source, TABLE};
 pub use back::{Masked, masked};
-pub use table::{Counterpart, Holds, Layout, Source, TABLE};
 
 use super::mask::{Mask, Task};
 use super::offset;
@@ -201,8 +200,7 @@ impl Told<'_> {
         let fine = self.control.number("MD18600") != 0.0 && !self.control.bit("_CHBIT[21]");
         let moves = counterpart.values.iter().any(|(_, source)| matches!(source, Source::Rotary(_)));
         let rotary = moves && self.value(Source::Rotary("angle_offset"), &Laid::default()) != Some(0.0);
-        let translates = ["CYCLE977", "CYCLE978", "CYCLE979"].contains(&counterpart.cycle) || rotary;
-        if translates && fine && target != Store::System {
+        if (counterpart.fine || rotary) && fine && target != Store::System {
             all.push("jog-differs-fine");
         }
         if matches!(target, Store::Settable(_)) {

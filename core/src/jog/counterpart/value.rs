@@ -1,13 +1,13 @@
 //! The values of a call, from the mask, from where was touched, from the set-up of JOG.
 
-use super::{Layout, Source, Told, code};
 use super::lay::Laid;
+use super::{Layout, Source, Told, code};
 use crate::control::{Control, machine_data};
 use crate::entry::Unit;
 use crate::entry::factor;
-use crate::jog::mask::Task;
 use crate::jog::calculate;
 use crate::jog::evaluate;
+use crate::jog::mask::Task;
 use crate::jog::settings::Settings;
 use crate::jog::stylus::Stylus;
 

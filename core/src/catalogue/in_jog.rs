@@ -1,8 +1,10 @@
-//! Which automatic cycle does what a mask does, as data (chapter 4 beside chapters 5 and 6). What a call has to say
+//! Which variant does what a mask of measuring in JOG does, as data (chapter 4 beside chapters 5 and 6). What a call has to say
 //! follows from the fields of the mask, from where was touched, and from the set-up of JOG.
 
 use crate::entry::names;
 use crate::name::Name;
+
+pub(crate) use super::cycle961::edges as corner_edges;
 
 /// A mask, and a variant of an automatic cycle that does the same.
 #[derive(Debug)]
@@ -23,6 +25,8 @@ pub struct Counterpart {
     pub layout: Layout,
     /// The values of the call.
     pub values: &'static [(Name, Source)],
+    /// Whether it corrects the fine part of a translation (B:1990-2003), where JOG writes the coarse one.
+    pub fine: bool,
     /// What is different, beside what follows from the correction.
     pub differs: &'static [&'static str],
     /// Where the manual describes the variant.
@@ -138,6 +142,7 @@ const PLAIN: Counterpart = Counterpart {
     when: &[],
     layout: Layout::Here,
     values: &[],
+    fine: false,
     differs: &[],
     source: "",
 };
@@ -151,7 +156,7 @@ const fn element(
     source: &'static str,
 ) -> Counterpart {
     let (cycle, layout, differs) = ("CYCLE977", Layout::Set, &[EXPECTED, STAND]);
-    Counterpart { mask, cycle, variant, also, when, layout, values, differs, source, ..PLAIN }
+    Counterpart { mask, cycle, variant, also, when, layout, values, differs, source, fine: true, ..PLAIN }
 }
 
 const STRAIGHT: &[Holds] = &[Holds::Zero("contact_angle", true)];
@@ -168,7 +173,7 @@ const fn angled(
     source: &'static str,
 ) -> Counterpart {
     let (cycle, layout, when, values) = ("CYCLE979", Layout::Around, ANGLED, AROUND);
-    Counterpart { mask, cycle, variant, also, when, layout, values, differs, source, ..PLAIN }
+    Counterpart { mask, cycle, variant, also, when, layout, values, differs, source, fine: true, ..PLAIN }
 }
 
 /// Four points a right angle apart.
@@ -230,7 +235,18 @@ const fn rectangle_corner(
     source: &'static str,
 ) -> Counterpart {
     let (cycle, layout, differs) = ("CYCLE961", Layout::Opposite, &[FOUND]);
-    Counterpart { mask: "corner_right", cycle, variant, also, when, layout, values: DISTANCES, differs, source, ..PLAIN }
+    Counterpart {
+        mask: "corner_right",
+        cycle,
+        variant,
+        also,
+        when,
+        layout,
+        values: DISTANCES,
+        differs,
+        source,
+        ..PLAIN
+    }
 }
 
 const fn corner(
@@ -258,6 +274,7 @@ const fn width(variant: i64, inside: bool, also: &'static [i64], source: &'stati
         values,
         differs,
         source,
+        fine: true,
         ..PLAIN
     }
 }
@@ -284,18 +301,7 @@ const fn tool(
     values: &'static [(Name, Source)],
     source: &'static str,
 ) -> Counterpart {
-    Counterpart {
-        mask,
-        cycle: "CYCLE971",
-        variant,
-        also,
-        axis,
-        when,
-        values,
-        differs: &[TOOL_DATA],
-        source,
-        ..PLAIN
-    }
+    Counterpart { mask, cycle: "CYCLE971", variant, also, axis, when, values, differs: &[TOOL_DATA], source, ..PLAIN }
 }
 
 const TOOL_PATH: (Name, Source) = (names::FA, Source::ToolPath);
@@ -323,6 +329,7 @@ pub const TABLE: &[Counterpart] = &[
         ],
         differs: &[EXPECTED],
         source: "B:6326;B:6456",
+        fine: true,
         ..PLAIN
     },
     Counterpart {
@@ -363,7 +370,14 @@ pub const TABLE: &[Counterpart] = &[
         &[RECTANGLE[0], RECTANGLE[1], TARGET, REACH, SAFE_REACH, PROBE, FEED],
         "B:5655;B:6185",
     ),
-    element("hole_1", 101, &[1, 1001, 1101], STRAIGHT, &[DIAMETER, TARGET, REACH, SAFE_REACH, PROBE, FEED], "B:5651;B:6181"),
+    element(
+        "hole_1",
+        101,
+        &[1, 1001, 1101],
+        STRAIGHT,
+        &[DIAMETER, TARGET, REACH, SAFE_REACH, PROBE, FEED],
+        "B:5651;B:6181",
+    ),
     angled("hole_1", 101, &[1], &[EXPECTED, FOUND], "B:6770;B:7157"),
     element(
         "spigot_rect",
@@ -454,7 +468,15 @@ pub const TABLE: &[Counterpart] = &[
         &[Holds::Wide(false)],
         &[11],
         &[3],
-        &[(names::MA, Source::Number(3.0)), EDGE, TOOL_PATH, TOOL_SAFE, TOOL_MOST, ALWAYS, (names::PRNUM, Source::ToolProbe)],
+        &[
+            (names::MA, Source::Number(3.0)),
+            EDGE,
+            TOOL_PATH,
+            TOOL_SAFE,
+            TOOL_MOST,
+            ALWAYS,
+            (names::PRNUM, Source::ToolProbe),
+        ],
         "B:4189;B:4836",
     ),
     tool(
@@ -463,7 +485,15 @@ pub const TABLE: &[Counterpart] = &[
         &[Holds::Wide(true)],
         &[12],
         &[3],
-        &[(names::MA, Source::Number(103.0)), EDGE, TOOL_PATH, TOOL_SAFE, TOOL_MOST, ALWAYS, (names::PRNUM, Source::ToolProbe)],
+        &[
+            (names::MA, Source::Number(103.0)),
+            EDGE,
+            TOOL_PATH,
+            TOOL_SAFE,
+            TOOL_MOST,
+            ALWAYS,
+            (names::PRNUM, Source::ToolProbe),
+        ],
         "B:4190;B:4837",
     ),
     tool(
@@ -472,7 +502,15 @@ pub const TABLE: &[Counterpart] = &[
         &[],
         &[1, 11, 12],
         &[1, 2],
-        &[(names::MA, Source::ToolAxis), EDGE, TOOL_PATH, TOOL_SAFE, TOOL_MOST, ALWAYS, (names::PRNUM, Source::ToolProbe)],
+        &[
+            (names::MA, Source::ToolAxis),
+            EDGE,
+            TOOL_PATH,
+            TOOL_SAFE,
+            TOOL_MOST,
+            ALWAYS,
+            (names::PRNUM, Source::ToolProbe),
+        ],
         "B:4190;B:4837",
     ),
 ];
