@@ -435,7 +435,9 @@ fn the_program_measures_tools_as_jog_does() {
     }
     setup.control.set("_CHBIT[3]", 0.0);
     setup.control.set("_JM_B[0]", 0.0);
-    let cases: [(&str, i64, &[(&str, &str)], [f64; 3], i64); 5] = [
+    /// Mask, T number, choices, where it stands, variant of the cycle.
+    type Case = (&'static str, i64, &'static [(&'static str, &'static str)], [f64; 3], i64);
+    let cases: [Case; 5] = [
         ("tool_cal", 1, &[("cal_kind", "length")], [200.0, 100.0, 60.0], 0),
         ("tool_cal", 1, &[("cal_kind", "length_and_diameter")], [200.0, 100.0, 60.0], 100_000),
         ("tool_length", 2, &[], [201.0, 101.0, 60.0], 1),

@@ -69,7 +69,6 @@ export function createPractice(store: Store, core: () => ProgramCore | null): Pr
       ...(asked.seed === null ? { part: asked.part } : { seed: asked.seed }),
     };
   };
-  const ask = (asked: Asked): Practised | null => core()?.practise(requestOf(asked)) ?? null;
   const set = (jog: Partial<JogState>): void => store.update({ jog });
   /** With these lines, as far as they do something. */
   const carryOut = (change: Partial<Asked>, field = ""): void => {
