@@ -1033,17 +1033,17 @@ export type JogAhead = {
   /** The point that would be stored, `P2`. */
   point?: string,
   /** Positions at which the probe would switch, in the WCS of the measurement, mm. */
-  touches: [number, number, number][],
+  touches: Array<[number, number, number]>,
   /** The alarm that would come, or what would be hit. */
   raised?: Raised,
   /** Why nothing comes of the points. */
   refused?: Message,
   /** What the user should know of the touches. */
-  notes: Message[],
+  notes: Array<Message>,
   /** Results that would be shown. */
-  results: JogResult[],
+  results: Array<JogResult>,
   /** What would be written. */
-  changes: Change[],
+  changes: Array<Change>,
   /** Whether the activation screen would come up. */
   activates: boolean,
 };
