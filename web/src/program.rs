@@ -250,6 +250,24 @@ pub fn story(request: &str) -> Result<String, JsError> {
     Ok(json::answer(request, app::story)?)
 }
 
+/// `PracticeRequest` → `PracticeProgram`: what the mask that is open means as a program.
+///
+/// # Errors
+/// A request of the wrong shape, or a machine that cannot be.
+#[wasm_bindgen]
+pub fn as_program(request: &str) -> Result<String, JsError> {
+    Ok(json::answer(request, app::as_program)?)
+}
+
+/// `PracticeCallRequest` → `PracticeCall`, or null: the mask that does what a call does.
+///
+/// # Errors
+/// A request of the wrong shape or an unknown cycle.
+#[wasm_bindgen]
+pub fn as_mask(request: &str) -> Result<String, JsError> {
+    Ok(json::answer(request, app::as_mask)?)
+}
+
 /// `PracticeRequest` → `PracticeView`, and what is to be seen since the mask was opened.
 ///
 /// # Errors

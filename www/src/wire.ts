@@ -1434,6 +1434,32 @@ export type PracticeArea = {
   functions: Array<PracticeFunction>,
 };
 
+/** A call as its mask. */
+export type PracticeCall = {
+  /** The mask. */
+  mask: PracticeChoice,
+  /** What opens it and fills it in, a line a thing. */
+  lines: Array<string>,
+  /** What of the call has no place in it. */
+  told: Array<Message>,
+};
+
+/** A call that is to be practised. */
+export type PracticeCallRequest = {
+  /** Control. */
+  control: Dialect,
+  /** Cycle. */
+  cycle: string,
+  /** Values as typed, by parameter. */
+  values: { [key in string]: string },
+  /** Machine; absent: the core's own as it is. */
+  setup?: Machine,
+  /** G function of units active at the call, where it is not that of the machine. */
+  units?: UnitFunction,
+  /** Working plane at the call, where it is not that of the machine. */
+  plane?: Plane,
+};
+
 /** A mask that can be opened. */
 export type PracticeChoice = {
   /** Name in a script. */
@@ -1555,6 +1581,18 @@ export type PracticePoint = {
   name: string,
   /** What is stored; absent: the softkey is grey. */
   stored?: JogPoint,
+};
+
+/** What the mask that is open means as a program. */
+export type PracticeProgram = {
+  /** Text: plane and zero offset, where the probe stands, the call; empty: there is none. */
+  text: string,
+  /** Cycle that is called. */
+  cycle?: string,
+  /** Its values, as typed. */
+  values: { [key in string]: string },
+  /** What is different; why there is none. */
+  told: Array<Message>,
 };
 
 /** A line that was not carried out. */

@@ -149,6 +149,7 @@ terminal-what-if-text = Auch sagen, was die nächste Taste, NC-Start oder Berech
 terminal-masks-text = Masken mit ihren Feldern auflisten, und was diese annehmen
 terminal-scenarios-text = Szenariodateien oder Ordner: aus diesen jede scenario.json und jede Datei mit der Endung .scenario.json
 terminal-junit-text = Datei für das Ergebnis als JUnit-XML
+terminal-as-program-text = Den automatischen Zyklus ausgeben, der dasselbe macht wie die offene Maske, und was anders ist
 terminal-help-text = Hilfe anzeigen
 terminal-version-text = Version anzeigen
 terminal-value-command = BEFEHL

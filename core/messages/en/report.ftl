@@ -153,6 +153,7 @@ terminal-what-if-text = Also tell what the next key, NC start or Calculate, woul
 terminal-masks-text = List the masks with their fields, and what they take
 terminal-scenarios-text = Scenario files, or folders: of these, each scenario.json and each file with the ending .scenario.json
 terminal-junit-text = File for the result in JUnit XML
+terminal-as-program-text = Print the automatic cycle that does what the mask that is open does, and what differs
 terminal-help-text = Show help
 terminal-version-text = Show the version
 terminal-value-command = COMMAND

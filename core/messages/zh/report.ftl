@@ -149,6 +149,7 @@ terminal-what-if-text = 同时说明脚本结束后下一个按键（NC 启动�
 terminal-masks-text = 列出输入画面及其字段和可输入的内容
 terminal-scenarios-text = 场景文件或文件夹：文件夹中的每个 scenario.json 和以 .scenario.json 结尾的文件
 terminal-junit-text = 以 JUnit XML 保存结果的文件
+terminal-as-program-text = 输出与打开的画面功能相同的自动循环及其区别
 terminal-help-text = 显示帮助
 terminal-version-text = 显示版本
 terminal-value-command = 命令

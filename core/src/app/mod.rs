@@ -51,9 +51,10 @@ pub use jog::{JogLine, JogPoint, JogResult, JogView, JogWrong, jog};
 pub use machine::{MachineField, MachineGroup, MachineProblem, MachineRequest, MachineView, machine};
 pub use outcome::{Measured, Outcome, Raised};
 pub use practice::{
-    PracticeActivation, PracticeApproach, PracticeArea, PracticeChoice, PracticeDeviation, PracticeFace, PracticeField,
-    PracticeFigure, PracticeFunction, PracticeKeys, PracticeMachine, PracticeMask, PracticePoint, PracticeRefusal,
-    PracticeRequest, PracticeShow, PracticeUse, PracticeView, PracticeWord, approach, practise,
+    PracticeActivation, PracticeApproach, PracticeArea, PracticeCall, PracticeCallRequest, PracticeChoice,
+    PracticeDeviation, PracticeFace, PracticeField, PracticeFigure, PracticeFunction, PracticeKeys, PracticeMachine,
+    PracticeMask, PracticePoint, PracticeProgram, PracticeRefusal, PracticeRequest, PracticeShow, PracticeUse,
+    PracticeView, PracticeWord, approach, as_mask, as_program, call_text, jog_program, practise,
 };
 pub use predict::{ErrorLimit, ErrorSliders, PartSliders, ProbeSliders};
 pub use program::{Arrival, CallView, ProgramParameter, ProgramPlace, ReadRequest, ReadView, calls, read};

@@ -46,6 +46,7 @@ pub(crate) mod circle;
 pub(crate) mod common;
 pub mod example;
 pub mod help;
+pub mod in_jog;
 pub(crate) mod lathe;
 pub(crate) mod list;
 pub(crate) mod logging;

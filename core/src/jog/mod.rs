@@ -7,6 +7,7 @@ pub mod approach;
 mod calculate;
 mod calibrating;
 pub mod chance;
+pub mod counterpart;
 pub mod evaluate;
 pub mod help;
 pub mod mask;

@@ -3,6 +3,7 @@
 
 use super::activation::{self, Activation, Reasons};
 use super::calculate::{self, Outcome, Point, Unfit};
+use super::counterpart::Taken;
 use super::evaluate::Size;
 use super::mask::{self, Kind, Mask, Task};
 use super::offset::{self, Correction};
@@ -68,6 +69,8 @@ pub struct Session {
     last: BTreeMap<&'static str, Values>,
     /// P1 to P4; those that were not stored are grey.
     points: Vec<Option<Point>>,
+    /// Where P1 to P4 were touched last, also once the result is calculated.
+    taken: Vec<Option<Taken>>,
     /// The probe with which they were touched.
     stylus: Option<Stylus>,
     /// What was measured last in this mask.
@@ -93,6 +96,7 @@ impl Session {
             values: Values::default(),
             last: BTreeMap::new(),
             points: Vec::new(),
+            taken: Vec::new(),
             stylus: None,
             outcome: Outcome::default(),
             measured: None,
@@ -121,6 +125,11 @@ impl Session {
     /// P1 to P4 as they are stored.
     pub fn points(&self) -> &[Option<Point>] {
         &self.points
+    }
+
+    /// Where P1 to P4 were touched last.
+    pub fn taken(&self) -> &[Option<Taken>] {
+        &self.taken
     }
 
     /// What was measured last in this mask.
@@ -324,6 +333,7 @@ impl Session {
         self.values = values;
         self.mask = Some(mask);
         self.points = vec![None; mask.points];
+        self.taken = vec![None; mask.points];
         self.outcome = Outcome::default();
         Ok(())
     }
@@ -341,6 +351,9 @@ impl Session {
         let rejects = field.touches && self.values != before && !mask.at_once();
         if rejects {
             self.points.fill(None);
+        }
+        if field.touches && self.values != before {
+            self.taken.fill(None);
         }
         Ok(rejects)
     }
@@ -366,13 +379,31 @@ impl Session {
     fn measure(&mut self) -> Result<(), Stop> {
         let Some(mask) = self.mask else { return Ok(()) };
         let number = self.next();
+        let from = self.sim.position;
         self.sim.measuring = (!mask.task.of_tool()).then_some(MachineSort::Milling);
         self.sim.in_cycle = true;
         let outcome = self.point(mask, number);
         self.sim.in_cycle = false;
         self.sim.measuring = None;
         self.measured = outcome?;
+        let at = self.measured.as_ref().map_or(from, |point| self.place(point));
+        if let Some(taken) = self.taken.get_mut(number) {
+            *taken = Some(Taken { from, at });
+        }
         Ok(())
+    }
+
+    /// Where a point lies in the machine: the surface that was touched, the centre of the element.
+    fn place(&self, point: &Point) -> Mcs {
+        let Some(stylus) = &self.stylus else { return self.sim.position };
+        self.sim.control.to_machine(match point {
+            Point::Touch(touch) => {
+                let mut at = touch.at;
+                at[touch.axis] = stylus.surface(touch);
+                at
+            }
+            Point::Element(found) => stylus.placed(found.centre, found.height),
+        })
     }
 
     /// One point; none: the function stores what it found itself.
@@ -499,6 +530,9 @@ impl Session {
         match place {
             Some(point) if point.is_some() => {
                 *point = None;
+                if let Some(taken) = number.checked_sub(1).and_then(|place| self.taken.get_mut(place)) {
+                    *taken = None;
+                }
                 Ok(())
             }
             _ => Err(Message::new("jog-grey").text("point", format!("P{number}"))),
@@ -528,6 +562,7 @@ impl Session {
             self.last.insert(mask.name, std::mem::take(&mut self.values));
         }
         self.points.clear();
+        self.taken.clear();
         self.outcome = Outcome::default();
         self.stopped = None;
     }

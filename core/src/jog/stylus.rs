@@ -95,6 +95,14 @@ impl Stylus {
         ball
     }
 
+    /// A point of the plane at a height.
+    pub fn placed(&self, [first, second]: [f64; 2], height: f64) -> Wcs {
+        let [abscissa, ordinate, applicate] = self.plane.axes();
+        let mut at = Wcs::default();
+        (at[abscissa], at[ordinate], at[applicate]) = (first, second, height);
+        at
+    }
+
     /// Abscissa and ordinate of a point.
     pub fn in_plane(&self, point: Wcs) -> [f64; 2] {
         let [abscissa, ordinate, _] = self.plane.axes();

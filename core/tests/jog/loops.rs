@@ -14,25 +14,25 @@ use probewright_core::workpiece::{Noise, Shape, Solid, Tool, ToolProbe};
 /// Cases of each mask in a test run.
 const CASES: u64 = 3;
 
-fn environment(name: &str, otherwise: u64) -> u64 {
+pub(super) fn environment(name: &str, otherwise: u64) -> u64 {
     std::env::var(name).ok().and_then(|text| text.parse().ok()).unwrap_or(otherwise)
 }
 
 /// X Y Z of abscissa, ordinate and applicate.
-fn at(plane: Plane, place: [f64; 3]) -> [f64; 3] {
+pub(super) fn at(plane: Plane, place: [f64; 3]) -> [f64; 3] {
     let mut at = [0.0; 3];
     plane.axes().into_iter().zip(place).for_each(|(axis, value)| at[axis] = value);
     at
 }
 
 /// How a part lies whose X Y Z are abscissa, ordinate and applicate.
-fn lies(plane: Plane) -> Rotation3<f64> {
+pub(super) fn lies(plane: Plane) -> Rotation3<f64> {
     let columns = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|unit| V3::from(at(plane, unit)));
     Rotation3::from_matrix_unchecked(Matrix3::from_columns(&columns))
 }
 
 /// A number between minus and plus so much.
-fn spread(noise: &mut Noise, most: f64) -> f64 {
+pub(super) fn spread(noise: &mut Noise, most: f64) -> f64 {
     most * (2.0 * noise.uniform() - 1.0)
 }
 
@@ -50,13 +50,13 @@ struct Case {
     passes: usize,
 }
 
-const BLOCK: Shape = Shape::Block { size: [100.0, 80.0, 40.0] };
-const HOLE: Shape = Shape::Hole { diameter: 40.0, depth: 30.0 };
-const SPIGOT: Shape = Shape::Shaft { diameter: 30.0, height: 40.0 };
-const POCKET: Shape = Shape::Pocket { length: [60.0, 44.0], depth: 30.0 };
-const ISLAND: Shape = Shape::Island { length: [50.0, 36.0], height: 40.0 };
+pub(super) const BLOCK: Shape = Shape::Block { size: [100.0, 80.0, 40.0] };
+pub(super) const HOLE: Shape = Shape::Hole { diameter: 40.0, depth: 30.0 };
+pub(super) const SPIGOT: Shape = Shape::Shaft { diameter: 30.0, height: 40.0 };
+pub(super) const POCKET: Shape = Shape::Pocket { length: [60.0, 44.0], depth: 30.0 };
+pub(super) const ISLAND: Shape = Shape::Island { length: [50.0, 36.0], height: 40.0 };
 /// The left, the right and the front face of the block, and above it.
-const BESIDE: [[f64; 3]; 6] = [
+pub(super) const BESIDE: [[f64; 3]; 6] = [
     [-70.0, -20.0, -8.0],
     [-70.0, 20.0, -8.0],
     [70.0, 10.0, -8.0],
@@ -183,13 +183,14 @@ fn cases() -> Vec<Case> {
 }
 
 /// Zero offsets that are corrected, and the settable frame that is active while measuring.
-const TARGETS: [(&str, f64); 5] = [("G54", 1.0), ("G54", 0.0), ("G505", 2.0), ("$P_SETFR", 1.0), ("$P_CHBFR[0]", 1.0)];
+pub(super) const TARGETS: [(&str, f64); 5] =
+    [("G54", 1.0), ("G54", 0.0), ("G505", 2.0), ("$P_SETFR", 1.0), ("$P_CHBFR[0]", 1.0)];
 
 /// Where the ring stands in which the probe is calibrated, and its diameter, mm.
 const RING: ([f64; 3], f64) = ([-600.0, -600.0, 0.0], 50.0);
 
 /// A machine whose frames turn, a probe with errors that was calibrated in JOG.
-fn machine(noise: &mut Noise, measuring: f64, plane: Plane) -> Setup {
+pub(super) fn machine(noise: &mut Noise, measuring: f64, plane: Plane) -> Setup {
     let mut setup = Setup::calibrated(Dialect::Sinumerik, plane);
     setup.control.set("_JM_I[3]", 17.0 + plane as usize as f64);
     setup.probe.skew = [spread(noise, 0.05), spread(noise, 0.05)];
@@ -237,7 +238,7 @@ fn calibrate(session: &mut Session) {
 }
 
 /// Measures all points of the mask that is open from these places of the machine, and calculates.
-fn measure(session: &mut Session, starts: &[Mcs], what: &str) {
+pub(super) fn measure(session: &mut Session, starts: &[Mcs], what: &str) {
     for start in starts {
         session.sim.position = *start;
         session.carry_out(Input::Start).unwrap();

@@ -4,8 +4,10 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, missing_docs)]
 
 mod alarms;
+mod as_program;
 mod hostile;
 mod loops;
+mod on_the_machine;
 mod practice;
 mod printed;
 mod settings;

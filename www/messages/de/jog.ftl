@@ -54,3 +54,6 @@ practice-tilt = Drehung
 practice-stand-in = Auf dem Tisch Ihrer Maschine liegt kein Werkstück, oder sie ist eine Drehmaschine. Geübt wird an einer Fräsmaschine mit Werkstück.
 practice-to-do = Was zu tun ist
 practice-face = Auf eine Fläche des Werkstücks klicken: Der Messtaster fährt vor sie. Messtaster ziehen: Eine Achse verfährt.
+practice-program = Als Programm
+practice-program-insert = In das Programm einfügen
+practice-program-differs = Was anders ist

@@ -674,6 +674,7 @@ practice-title = Messen in JOG üben
 practice-lead = Messtaster von Hand verfahren, messen und die Nullpunktverschiebung schreiben, wie in JOG an der Maschine.
 practice-start = Zur Maschine
 practice-rail = Üben
+practice-call = In JOG üben
 story-title = Beispiel ausprobieren
 story-lead = Ein Werkstück liegt versetzt. Messen, Nullpunktverschiebung korrigieren, nochmals messen: fünf Schritte.
 story-start = Beispiel starten

@@ -54,3 +54,6 @@ practice-tilt = Rotation
 practice-stand-in = Your machine has no part on its table, or it is a lathe. This is a milling machine with a part to practise on.
 practice-to-do = What to do
 practice-face = Click a face of the part: the probe moves in front of it. Drag the probe to move an axis.
+practice-program = As a program
+practice-program-insert = Insert into the program
+practice-program-differs = What differs

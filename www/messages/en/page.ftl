@@ -662,6 +662,7 @@ practice-title = Practise measuring in JOG
 practice-lead = Move the probe by hand, measure and write a zero offset, as in JOG at the machine.
 practice-start = Go to the machine
 practice-rail = Practise
+practice-call = Practise in JOG
 story-title = Try the example
 story-lead = A part is shifted. Measure it, correct its zero offset, measure again: five steps.
 story-start = Start the example

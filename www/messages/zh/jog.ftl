@@ -54,3 +54,6 @@ practice-tilt = 旋转
 practice-stand-in = 您的机床工作台上没有工件，或者是车床。这里使用一台带工件的铣床来练习。
 practice-to-do = 操作步骤
 practice-face = 点击工件表面：测头移到该面前。拖动测头：移动一个轴。
+practice-program = 作为程序
+practice-program-insert = 插入程序
+practice-program-differs = 区别

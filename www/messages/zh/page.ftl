@@ -649,6 +649,7 @@ practice-title = 练习 JOG 测量
 practice-lead = 手动移动测头、测量并写入零点偏移，与在机床 JOG 方式下相同。
 practice-start = 前往机床
 practice-rail = 练习
+practice-call = 在 JOG 中练习
 story-title = 试用示例
 story-lead = 工件有偏移。测量、补偿零点偏移、再次测量：共五步。
 story-start = 开始示例

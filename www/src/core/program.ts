@@ -20,7 +20,10 @@ import type {
   MachineRequest,
   MachineView,
   PracticeApproach,
+  PracticeCall,
+  PracticeCallRequest,
   PracticeFace,
+  PracticeProgram,
   PracticeRequest,
   PracticeView,
   ReadRequest,
@@ -92,6 +95,10 @@ export interface ProgramCore extends FormCore {
   practise(request: PracticeRequest): Practised;
   /** How the probe gets in front of a face. */
   approach(request: PracticeFace): PracticeApproach;
+  /** What the mask that is open means as a program. */
+  asProgram(request: PracticeRequest): PracticeProgram;
+  /** The mask that measures what a call measures; null: there is none. */
+  asMask(request: PracticeCallRequest): PracticeCall | null;
   /** Takes the bytes of a file in pieces. */
   recogniser(): { take(bytes: Uint8Array): void; finish(): Recognised };
   /** The setup of a file, with its defaults; or why it is none. */
@@ -250,6 +257,9 @@ export async function loadProgramCore(): Promise<ProgramCore> {
     simulates: "yes",
     practise: practised,
     approach: request => JSON.parse(call("approach", () => wasm.approach(JSON.stringify(request)))) as PracticeApproach,
+    asProgram: request =>
+      JSON.parse(call("as_program", () => wasm.as_program(JSON.stringify(request)))) as PracticeProgram,
+    asMask: request => JSON.parse(call("as_mask", () => wasm.as_mask(JSON.stringify(request)))) as PracticeCall | null,
     setup: setupOf,
     change: request => changes(request, null),
     recogniser,

@@ -157,6 +157,8 @@ export interface Actions {
   keep(name: string): void;
   card(card: Card | null): void;
   insert(snippet: string): void;
+  /** A call is inserted, with the lines before it, and comes into the form. */
+  write(cycle: string, values: Record<string, string>, text: string): void;
   error<G extends keyof ErrorSliders>(group: G, name: keyof ErrorSliders[G], value: number): void;
   begin(machine: OwnMachine["own"]): void;
   /** What the machine is built for, and what differs from delivery in its data. */
@@ -586,6 +588,15 @@ export function createActions(store: Store, catalogue: Catalogue, core: () => Pr
         }),
       );
       store.flush(); // the editor has to hold it before the next key
+    },
+    write(cycle, values, text) {
+      const state = now();
+      store.update(remember(state), {
+        form: { cycle, values, open: null, around: null, resets: {}, touched: {}, checked: true },
+        view: { step: AT_END, source: "form" },
+        panels: { panel: "form", left: "form" },
+      });
+      actions.insert(text);
     },
     error(group, name, value) {
       const errors = now().part.errors;

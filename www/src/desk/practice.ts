@@ -5,7 +5,7 @@ import type { ProgramCore } from "../core/program";
 import { parseNumber, plain } from "../numbers";
 import { AS_SET_UP, type JogState, profile, type State } from "../state/state";
 import type { Store } from "../state/store";
-import type { PracticeChoice, PracticeRequest, Vec3 } from "../wire";
+import type { PracticeCallRequest, PracticeChoice, PracticeRequest, Vec3 } from "../wire";
 
 export interface Practice {
   /** Asks what is on the screen, unless that is known. */
@@ -25,6 +25,10 @@ export interface Practice {
   lay(part: JogState["part"] | number): void;
   /** The lines of a script that somebody has kept. */
   take(text: string): void;
+  /** A call of a program as its mask; false: there is none. */
+  call(asked: PracticeCallRequest): boolean;
+  /** Whether what the mask means as a program is shown. */
+  program(shown: boolean): void;
   change(change: Partial<JogState>): void;
 }
 
@@ -54,7 +58,7 @@ export function scriptOf({ lines, seed, part, seen }: JogState): string {
 }
 
 export function createPractice(store: Store, core: () => ProgramCore | null): Practice {
-  const request = (asked: Asked): PracticeRequest => {
+  const requestOf = (asked: Asked): PracticeRequest => {
     const { state } = store;
     const setup = profile(state);
     return {
@@ -65,11 +69,12 @@ export function createPractice(store: Store, core: () => ProgramCore | null): Pr
       ...(asked.seed === null ? { part: asked.part } : { seed: asked.seed }),
     };
   };
+  const ask = (asked: Asked): Practised | null => core()?.practise(requestOf(asked)) ?? null;
   const set = (jog: Partial<JogState>): void => store.update({ jog });
   /** With these lines, as far as they do something. */
   const carryOut = (change: Partial<Asked>, field = ""): void => {
     const { lines, seed, part, piece } = { ...store.state.jog, ...change };
-    const seen = core()?.practise(request({ lines, seed, part, piece }));
+    const seen = core()?.practise(requestOf({ lines, seed, part, piece }));
     if (!seen) return;
     const { refused } = seen;
     const last = refused ? (lines[refused.line - 1] ?? "") : "";
@@ -78,8 +83,11 @@ export function createPractice(store: Store, core: () => ProgramCore | null): Pr
       return;
     }
     const done = refused ? lines.slice(0, refused.line - 1) : lines;
-    const told = refused ? { ...refused, field, text: last } : null;
-    set({ lines: done, seed, part, piece, seen, refused: told, setup: profile(store.state) ?? null });
+    const why = refused ? { ...refused, field, text: last } : null;
+    const program =
+      store.state.jog.program && (core()?.asProgram(requestOf({ lines: done, seed, part, piece })) ?? null);
+    const told = seen.mask ? store.state.jog.told : [];
+    set({ lines: done, seed, part, piece, seen, refused: why, told, program, setup: profile(store.state) ?? null });
   };
   const press = (line: string, field = ""): void => carryOut({ lines: [...store.state.jog.lines, line] }, field);
   return {
@@ -98,12 +106,13 @@ export function createPractice(store: Store, core: () => ProgramCore | null): Pr
     },
     face(at, normal) {
       const { jog } = store.state;
-      const found = core()?.approach({ practice: request(jog), at, normal });
+      const found = core()?.approach({ practice: requestOf(jog), at, normal });
       if (found?.line) press(found.line, FACE);
       else if (found?.refused)
         set({ refused: { line: jog.lines.length + 1, message: found.refused, field: FACE, text: "" } });
     },
     open({ name, piece }) {
+      set({ told: [] });
       const { seen, lines } = store.state.jog;
       const here = !seen?.piece || seen.piece === piece;
       carryOut(here ? { lines: [...lines, `mask ${name}`] } : { lines: [`mask ${name}`], piece });
@@ -138,6 +147,20 @@ export function createPractice(store: Store, core: () => ProgramCore | null): Pr
         .filter(line => line);
       carryOut({ lines, seed: seed ? Number(seed) : null, part, piece });
       set({ revealed: !seed });
+    },
+    call(asked) {
+      const found = core()?.asMask(asked);
+      if (!found) return false;
+      const { mask, lines, told } = found;
+      const { seen, lines: before } = store.state.jog;
+      const here = !seen?.piece || seen.piece === mask.piece;
+      set({ told });
+      carryOut(here ? { lines: [...before, ...lines] } : { lines, piece: mask.piece });
+      return true;
+    },
+    program(shown) {
+      const { lines, seed, part, piece } = store.state.jog;
+      set({ program: shown ? (core()?.asProgram(requestOf({ lines, seed, part, piece })) ?? null) : null });
     },
     change: set,
   };

@@ -19,16 +19,17 @@ import type {
   Raised,
 } from "../wire";
 import { figureText } from "./figures";
+import { asProgram, type Insert } from "./program";
 
 /** What NC start is in a script. */
 export const startLine = ({ state }: PracticeView): string => (state === "activate" ? "activate" : "start");
 
-export function createMask(root: HTMLElement, practice: Practice): (state: State) => void {
+export function createMask(root: HTMLElement, practice: Practice, leads: Insert): (state: State) => void {
   let open = "";
   return ({ jog }) => {
     if (!jog.seen) return;
     const focused = root.contains(document.activeElement);
-    render(screen(jog, jog.seen, practice), root);
+    render(screen(jog, jog.seen, practice, leads), root);
     const now = jog.seen.mask?.name ?? "";
     if (now !== open) root.scrollTop = 0;
     if (focused && now !== open) first(root, jog.seen, open)?.focus();
@@ -45,13 +46,15 @@ function first(root: HTMLElement, { areas, mask }: PracticeView, left: string): 
   return root.querySelector(`[data-function="${before?.name ?? all[0]?.name}"]`);
 }
 
-function screen(jog: JogState, seen: PracticeView, practice: Practice): TemplateResult {
+function screen(jog: JogState, seen: PracticeView, practice: Practice, leads: Insert): TemplateResult {
   return html`
     ${seen.mask ? title(seen.mask, practice) : html`<h3>${t("practice-functions")}</h3>`}
     ${seen.raised ? raised(seen, practice) : nothing}
     ${seen.notes.map(note => html`<p class="jog-told jog-note">${iconPart("info")}<span>${say(note)}</span></p>`)}
+    ${seen.mask ? jog.told.map(note => html`<p class="jog-told jog-note">${iconPart("info")}<span>${say(note)}</span></p>`) : nothing}
     ${jog.refused && !jog.refused.field ? refusal(jog.refused) : nothing}
     ${seen.mask ? opened(jog, seen, seen.mask, practice) : menu(seen.areas, practice)}
+    ${seen.mask ? asProgram(jog.program, practice, leads) : nothing}
   `;
 }
 

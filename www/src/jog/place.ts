@@ -12,10 +12,11 @@ import type { Stage } from "../views/stage";
 import { axisOf, createHand, wayOf } from "./hand";
 import { createMask, startLine } from "./mask";
 import { createPart } from "./part";
+import type { Insert } from "./program";
 import { createJogStage } from "./stage";
 import "../styles/jog.css";
 
-export interface Leads {
+export interface Leads extends Insert {
   toWork(): void;
 }
 
@@ -51,7 +52,7 @@ export function createPlace(
     void picked?.text().then(practice.take, console.error);
   });
   root.append(head, mask, picture, hand, part, file);
-  const drawMask = createMask(mask, practice);
+  const drawMask = createMask(mask, practice, leads);
   const drawHand = createHand(hand, practice, stop);
   const drawPart = createPart(part, practice);
   const drawStage = createJogStage(picture, stage, practice);

@@ -178,7 +178,15 @@ export function createBench(parts: Parts): Bench {
     () => store.update({}),
     stop.signal,
   );
-  const drawForm = createForm(panels.form, store, actions, chain, () => sets.dialog.showModal(), program.goToLine);
+  const drawForm = createForm(
+    panels.form,
+    store,
+    actions,
+    chain,
+    () => sets.dialog.showModal(),
+    program.goToLine,
+    practice.call,
+  );
   const machine = railButton(t("facts"), "machine", { class: "rail-machine", "aria-haspopup": "dialog" });
   on(machine, "click", () => later()?.equipment.open());
   layout.rail.querySelector('[data-panel-button="help"]')?.before(machine);

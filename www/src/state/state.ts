@@ -22,6 +22,7 @@ import type {
   PartSliders,
   Plane,
   PracticePiece,
+  PracticeProgram,
   PracticeRefusal,
   ReadView,
   RunRequest,
@@ -224,6 +225,8 @@ export interface JogState {
   seen: Practised | null; // what came of the lines; none: nobody asked yet
   setup: Setup | null; // the profile with which it was asked
   refused: (PracticeRefusal & { field: string; text: string }) | null; // the line that did nothing last
+  told: readonly Message[]; // what of the call that is practised has no place in its mask
+  program: PracticeProgram | null; // what the mask means as a program; none: nobody wants to know
   revealed: boolean; // how the part lies is shown
   step: number; // increment, µm; 0: as long as a key is held down
   rapid: boolean;
@@ -418,6 +421,8 @@ export function firstState(): State {
       seen: null,
       setup: null,
       refused: null,
+      told: [],
+      program: null,
       revealed: true,
       step: 1000,
       rapid: false,

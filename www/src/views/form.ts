@@ -67,6 +67,13 @@ function pointedNotes({ form: { values } }: State, { fields }: Derived["view"]):
 const openedAt = (cycle: string, { line, lastLine }: CallView): string =>
   line === lastLine ? t("form-opened-line", { cycle, line }) : t("form-opened", { cycle, from: line, to: lastLine });
 
+/** How the call of the form is practised in JOG. */
+export interface CallPractice {
+  /** Whether there is a mask for it. */
+  there(state: State, derived: Derived): boolean;
+  go(): void;
+}
+
 export function createForm(
   root: HTMLElement,
   store: Store,
@@ -74,6 +81,7 @@ export function createForm(
   chain: HTMLElement,
   showSets: () => void,
   goToLine: (line: number) => void,
+  practise: CallPractice,
 ): (state: State, derived: Derived) => void {
   const title = el("h2", { id: "form-title" });
   const explain = createExplain();
@@ -96,6 +104,8 @@ export function createForm(
   const asks = createAsks(actions);
   const ways = createSnippetWays(actions);
   const twin = createTwin(store);
+  const jog = el("button", { type: "button", class: "quiet practise-call" }, t("practice-call"));
+  on(jog, "click", practise.go);
   const pictureBox = el("div", { class: "picture-box" });
   const fields = el("div", { class: "fields", role: "group", "aria-labelledby": "form-title" });
   let shown: { cycle: Derived["cycle"]; state: State; problems: Diagnostic[] } | null = null;
@@ -150,6 +160,7 @@ export function createForm(
     el("div", { class: "ways" }, ways.choice),
     snippet,
     ways.said,
+    el("div", { class: "actions" }, jog),
     twin.root,
   );
   const scroll = el("div", { class: "scroll" }, loose, fields, el("div", { class: "actions" }, groups.all), snippetBox);
@@ -240,6 +251,7 @@ export function createForm(
     queueMicrotask(() => showIfLeft(document.activeElement)); // what nobody types any more
     ways.draw(state, derived);
     twin.draw(state, derived);
+    show(jog, practise.there(state, derived));
     callWays.draw(state, derived);
     setAttribute(root, "data-complete", String(view.complete));
   };

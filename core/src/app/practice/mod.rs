@@ -1,8 +1,10 @@
 //! Measuring in JOG as a page shows it: a session carried out from its script, with its part as it lies.
 
+mod program;
 mod screen;
 mod view;
 
+pub use program::{PracticeCall, PracticeCallRequest, PracticeProgram, as_mask, as_program, call_text, jog_program};
 pub use view::{
     PracticeActivation, PracticeApproach, PracticeArea, PracticeChoice, PracticeDeviation, PracticeFace, PracticeField,
     PracticeFigure, PracticeFunction, PracticeKeys, PracticeMachine, PracticeMask, PracticePoint, PracticeRefusal,

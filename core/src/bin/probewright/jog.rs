@@ -9,6 +9,7 @@ use probewright_core::jog::mask::{Field, Mask, key};
 use probewright_core::jog::values::{Values, words as choices};
 use probewright_core::jog::{FUNCTIONS, State};
 use probewright_core::json;
+use probewright_core::machine::Setup;
 use probewright_core::message::Message;
 use probewright_core::words::{Words, rounded};
 use std::io::Write;
@@ -29,6 +30,8 @@ pub struct Arguments {
     #[arg(long)]
     masks: bool,
     #[arg(long)]
+    as_program: bool,
+    #[arg(long)]
     json: bool,
 }
 
@@ -39,6 +42,9 @@ pub fn jog(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Result<
         return Ok(ExitCode::SUCCESS);
     };
     let setup = file::setup(setup, arguments.json, words, out)?;
+    if arguments.as_program {
+        return program(script, &setup, arguments, words, out);
+    }
     let view = app::jog(&file::text(script)?, &setup, arguments.random).map_err(|wrong| told(script, wrong, words))?;
     let failed = view.lines.iter().any(|line| line.refused.is_some() || line.raised.is_some());
     if arguments.json {
@@ -50,6 +56,27 @@ pub fn jog(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Result<
         }
     }
     Ok(if failed { ExitCode::FAILURE } else { ExitCode::SUCCESS })
+}
+
+/// What the mask means as a program that is open in the end; 1 when it means none.
+fn program(
+    script: &Path,
+    setup: &Setup,
+    arguments: &Arguments,
+    words: &Words,
+    out: &mut dyn Write,
+) -> Result<ExitCode, Problem> {
+    let found = app::jog_program(&file::text(script)?, setup, arguments.random);
+    let found = found.map_err(|wrong| told(script, wrong, words))?;
+    if arguments.json {
+        file::print_json(json::document(&found), words, out)?;
+    } else if found.text.is_empty() {
+        found.told.iter().try_for_each(|message| writeln!(out, "{}", words.text(message)))?;
+    } else {
+        found.told.iter().try_for_each(|message| writeln!(out, "; {}", words.text(message)))?;
+        write!(out, "{}", found.text)?;
+    }
+    Ok(if found.text.is_empty() { ExitCode::FAILURE } else { ExitCode::SUCCESS })
 }
 
 /// Why a script is not carried out, with its line and what helps.

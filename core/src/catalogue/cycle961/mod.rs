@@ -13,6 +13,8 @@ mod simulate;
 mod tests;
 mod touches;
 
+pub(crate) use touches::edges;
+
 use crate::catalogue::common::tasks::{ZERO, zero};
 use crate::catalogue::prelude::*;
 use crate::catalogue::sinumerik::help::{AGAIN, CALIBRATED, MEASURING, PROBE};

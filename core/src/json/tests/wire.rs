@@ -137,6 +137,9 @@ fn the_types_of_the_page_are_those_of_the_core() {
     types.visit::<NoteRequest>();
     types.visit::<PracticeFace>();
     types.visit::<PracticeApproach>();
+    types.visit::<PracticeProgram>();
+    types.visit::<PracticeCallRequest>();
+    types.visit::<PracticeCall>();
     types.visit::<crate::scene::View>();
     let texts: String = types.texts.into_values().collect();
     let text = format!("{HEAD}{texts}");

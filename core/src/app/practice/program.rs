@@ -1,0 +1,163 @@
+//! What a mask means as a program, and a call of a program as its mask.
+
+use super::super::{Error, choose_units, cycle, start};
+use super::{Machine, Piece, PracticeChoice, PracticeRequest, Stands, legible, placed, practice};
+use crate::app::jog::{JogWrong, act};
+use crate::control::{AXES, Control, Plane, UnitFunction};
+use crate::dialect::Dialect;
+use crate::entry::{Style, Typed};
+use crate::geometry::Wcs;
+use crate::jog::chance::{self, Truth};
+use crate::jog::counterpart::{Call, call, masked};
+use crate::jog::mask::key;
+use crate::jog::masks;
+use crate::jog::script::{Line, read};
+use crate::jog::{Session, measures};
+use crate::machine::Setup;
+use crate::message::Message;
+use crate::program::write::snippet;
+use crate::refused::Path;
+use serde::{Deserialize, Serialize};
+
+/// What the mask that is open means as a program.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
+pub struct PracticeProgram {
+    /// Text: plane and zero offset, where the probe stands, the call; empty: there is none.
+    pub text: String,
+    /// Cycle that is called.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cycle: Option<&'static str>,
+    /// Its values, as typed.
+    pub values: Typed,
+    /// What is different; why there is none.
+    pub told: Vec<Message>,
+}
+
+/// A call that is to be practised.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
+pub struct PracticeCallRequest {
+    /// Control.
+    pub control: Dialect,
+    /// Cycle.
+    pub cycle: String,
+    /// Values as typed, by parameter.
+    pub values: Typed,
+    /// Machine; absent: the core's own as it is.
+    pub setup: Option<Machine>,
+    /// G function of units active at the call, where it is not that of the machine.
+    pub units: Option<UnitFunction>,
+    /// Working plane at the call, where it is not that of the machine.
+    pub plane: Option<Plane>,
+}
+
+/// A call as its mask.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct PracticeCall {
+    /// The mask.
+    pub mask: PracticeChoice,
+    /// What opens it and fills it in, a line a thing.
+    pub lines: Vec<String>,
+    /// What of the call has no place in it.
+    pub told: Vec<Message>,
+}
+
+/// What the mask means as a program that is open once a session is carried out.
+///
+/// # Errors
+/// A control that does not measure in JOG, or a machine that cannot be.
+pub fn as_program(asked: PracticeRequest) -> Result<PracticeProgram, Error> {
+    if !measures(asked.control) {
+        return Err(Error::new("jog-no-jog", Path::of(&["control"])));
+    }
+    let mut stands = Stands::new(asked.control, asked.setup, asked.piece)?;
+    let truth = asked.seed.map_or_else(|| placed(asked.part, &stands.setup), |seed| Truth::by(seed.into()));
+    truth.put(&mut stands.setup);
+    let (lines, _) = legible(&asked.script);
+    Ok(meant(&carried_out(&stands.setup, &lines)))
+}
+
+/// What the mask means as a program that is open once a script is carried out on a machine; with a seed the part lies
+/// as chance puts it.
+///
+/// # Errors
+/// A line that cannot be read, or a machine that does not measure in JOG.
+pub fn jog_program(script: &str, setup: &Setup, seed: Option<u64>) -> Result<PracticeProgram, JogWrong> {
+    let lines = read(script).map_err(JogWrong::Line)?;
+    if !measures(setup.control.dialect) {
+        return Err(JogWrong::Machine(Message::new("jog-no-jog")));
+    }
+    let mut setup = setup.clone();
+    if let Some(seed) = seed {
+        chance::put(&mut setup, seed);
+    }
+    Ok(meant(&carried_out(&setup, &lines)))
+}
+
+/// A session as far as its lines do something.
+fn carried_out(setup: &Setup, lines: &[Line]) -> Session {
+    let mut session = Session::new(setup);
+    for line in lines {
+        if act(&mut session, &line.command).is_err() {
+            break;
+        }
+    }
+    session
+}
+
+fn meant(session: &Session) -> PracticeProgram {
+    match call(session) {
+        Ok(call) => PracticeProgram {
+            text: call_text(&call),
+            cycle: Some(call.cycle.name),
+            values: call.values,
+            told: call.differs,
+        },
+        Err(why) => PracticeProgram { text: String::new(), cycle: None, values: Typed::new(), told: vec![why] },
+    }
+}
+
+/// A call as the program has it: plane and zero offset, the way to the start, the values.
+pub fn call_text(call: &Call) -> String {
+    let Call { cycle, values, control, start, .. } = call;
+    let [abscissa, ordinate, applicate] = control.plane.axes();
+    let plane = 17 + control.plane as u16;
+    let zero = control.make().settable_name(control.settable);
+    let [across, along] =
+        [[Some(abscissa), Some(ordinate)], [Some(applicate), None]].map(|axes| words(control, *start, axes));
+    let written = snippet(cycle, values, control, Style::Direct, None).text;
+    format!("G{plane} {zero}\nG0 {across}\n{along}\n{written}")
+}
+
+/// `X10 Y-5`, in the active unit.
+fn words(control: &Control, at: Wcs, axes: [Option<usize>; 2]) -> String {
+    let word = |axis: usize| {
+        let value = at[axis] / control.active_factor();
+        format!("{}{}", AXES[axis], (value * 1e9).round() / 1e9 + 0.0)
+    };
+    axes.into_iter().flatten().map(word).collect::<Vec<_>>().join(" ")
+}
+
+/// The mask that measures what a call measures; none: there is none.
+///
+/// # Errors
+/// An unknown cycle, units that the control does not have, or a machine that cannot be.
+pub fn as_mask(asked: PracticeCallRequest) -> Result<Option<PracticeCall>, Error> {
+    let cycle = cycle(asked.control, &asked.cycle)?;
+    if !measures(asked.control) {
+        return Ok(None);
+    }
+    let mut control = start::start(asked.control, asked.setup)?.setup.control;
+    if let Some(function) = asked.units {
+        choose_units(&mut control, function)?;
+    }
+    control.plane = asked.plane.unwrap_or(control.plane);
+    let found = masked(cycle, &asked.values, &control);
+    Ok(found.and_then(|found| {
+        let piece: Piece = practice::piece(masks::find(found.mask)?);
+        let mask = PracticeChoice { name: found.mask, label: Message::new(key("mask", found.mask)), piece };
+        Some(PracticeCall { mask, lines: found.lines, told: found.told })
+    }))
+}

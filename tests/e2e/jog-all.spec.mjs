@@ -1,0 +1,148 @@
+// Every function of measuring in JOG, from the menu to what is written: by mouse, by keyboard alone, by touch. What is
+// done is tests/data/jog_practice.json, which the core's tests carry out too.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { after, before, describe, test } from "node:test";
+import { open, shared } from "./browser.mjs";
+
+const chrome = shared("neither", { before, after });
+const WORK = JSON.parse(readFileSync(new URL("../data/jog_practice.json", import.meta.url), "utf8"));
+const STEP = 10; // mm, the largest increment of the keys
+
+const at = {
+  function: name => `[data-function="${name}"]`,
+  field: name => `#jog-${name}`,
+  axis: (axis, sign) => `.jog-axis[data-axis="${axis}${sign}"]`,
+  step: `.jog-steps button[aria-pressed]:nth-child(5)`,
+  restart: ".jog-actions button:nth-child(2)",
+  start: ".jog-start",
+  calculate: ".jog-calculate",
+  tool: "#jog-tool",
+};
+
+/** With a pointer: `press` is a click or a tap. */
+const pointer = press => page => ({
+  press: selector => page.locator(selector)[press](),
+  async times(selector, count) {
+    for (let presses = 0; presses < count; presses++) await page.locator(selector)[press]();
+  },
+  choose: (selector, value) => page.locator(selector).selectOption(value),
+  async type(selector, text) {
+    await page.locator(selector)[press]();
+    await page.locator(selector).fill(text);
+    await page.locator(selector).blur();
+  },
+  start: () => page.locator(at.start)[press](),
+});
+
+/** The key that moves an axis while the focus is in the pad. */
+const AXIS_KEYS = {
+  "X+": "ArrowRight",
+  "X-": "ArrowLeft",
+  "Y+": "ArrowUp",
+  "Y-": "ArrowDown",
+  "Z+": "PageUp",
+  "Z-": "PageDown",
+};
+
+/** With keys alone: the focus goes where it is wanted by Tab. */
+const keys = page => {
+  const go = async selector => {
+    const way = await page.evaluate(wanted => {
+      const [node, now] = [document.querySelector(wanted), document.activeElement];
+      if (node === now) return "";
+      const precedes = now && now !== document.body && now.compareDocumentPosition(node) & 2; // PRECEDING
+      return precedes ? "Shift+Tab" : "Tab";
+    }, selector);
+    for (let presses = 0; way && presses < 120; presses++) {
+      await page.keyboard.press(way);
+      if (await page.evaluate(wanted => document.activeElement?.matches(wanted), selector)) return;
+    }
+    assert.equal(way, "", `no way to ${selector}`);
+  };
+  return {
+    async press(selector) {
+      await go(selector);
+      await page.keyboard.press("Enter");
+    },
+    async times(selector, count) {
+      await go(selector);
+      const key = AXIS_KEYS[await page.locator(selector).getAttribute("data-axis")];
+      for (let presses = 0; presses < count; presses++) await page.keyboard.press(key);
+    },
+    async choose(selector, value) {
+      await go(selector);
+      const by = await page.locator(selector).evaluate((node, wanted) => {
+        const values = [...node.options].map(option => option.value);
+        return values.indexOf(wanted) - node.selectedIndex;
+      }, value);
+      for (let presses = 0; presses < Math.abs(by); presses++)
+        await page.keyboard.press(by > 0 ? "ArrowDown" : "ArrowUp");
+    },
+    async type(selector, text) {
+      await go(selector);
+      await page.keyboard.type(text);
+      await page.keyboard.press("Tab");
+    },
+    start: () => page.keyboard.press("Control+Enter"),
+  };
+};
+
+/** One line of what is done. */
+async function carryOut(page, hands, line) {
+  const [, axis, way] = /^jog ([XYZ])(-?\d+)$/.exec(line) ?? [];
+  const [, name, value] = /^(\w+) = (.+)$/.exec(line) ?? [];
+  if (axis) return hands.times(at.axis(axis, Number(way) > 0 ? "+" : "-"), Math.abs(Number(way)) / STEP);
+  if (line.startsWith("tool ")) return hands.choose(at.tool, line);
+  if (line === "start") return hands.start();
+  if (line === "calculate") return hands.press(at.calculate);
+  if (line === "activate") {
+    await page.locator(".jog-activation").waitFor();
+    await hands.start();
+    return page.locator(".jog-activation").waitFor({ state: "detached" });
+  }
+  assert.ok(name, line);
+  const field = at.field(name);
+  const chooses = await page.locator(field).evaluate(node => node instanceof HTMLSelectElement);
+  return chooses ? hands.choose(field, value) : hands.type(field, value);
+}
+
+/** The functions, in the order of the menu, as its own page has them. */
+async function everything(page, hands, keyboard) {
+  const first = page.locator("[data-function]").first();
+  await first.waitFor();
+  const names = await page.locator("[data-function]").evaluateAll(all => all.map(one => one.dataset.function));
+  assert.equal(names.length, 18);
+  await hands.press(at.step);
+  for (const name of names) {
+    if (keyboard) await page.locator("#jog").focus();
+    await hands.press(at.function(name));
+    await page.locator(".jog-title h3").waitFor();
+    for (const line of WORK[name]) await carryOut(page, hands, line);
+    assert.equal(await page.locator(".jog-raised, .jog-refused").allTextContents().then(all => all.join()), "", name);
+    const corrects = WORK[name].some(line => line.startsWith("zo = "));
+    await page.locator(corrects ? '.jog-deviation[data-near="true"]' : ".jog-written").first().waitFor();
+    if (corrects) assert.equal(await page.locator("thead th").nth(1).textContent(), "G54", name);
+    await hands.press(at.restart);
+    await first.waitFor();
+  }
+}
+
+describe("every function of measuring in JOG, from the menu to what is written", () => {
+  // oracle: hand (the part lies as it is set up: what is written is where it lies)
+  for (const [how, hands, options] of [
+    ["by mouse", pointer("click"), {}],
+    ["by keyboard alone", keys, {}],
+    ["by touch on a tablet", pointer("tap"), { hasTouch: true, viewport: { width: 768, height: 1024 } }],
+  ])
+    test(how, async () => {
+      const { context, page, problems } = await open(chrome.browser, {
+        path: "#jog",
+        serviceWorkers: "block",
+        ...options,
+      });
+      await everything(page, hands(page), hands === keys);
+      assert.deepEqual(problems, []);
+      await context.close();
+    });
+});
