@@ -20,11 +20,13 @@ const at = {
   tool: "#jog-tool",
 };
 
-/** With a pointer: `press` is a click or a tap. */
-const pointer = press => page => ({
+/** With a pointer: `press` is a click or a tap, `again` the same at a place where nothing moves meanwhile. */
+const pointer = (press, again) => page => ({
   press: selector => page.locator(selector)[press](),
   async times(selector, count) {
-    for (let presses = 0; presses < count; presses++) await page.locator(selector)[press]();
+    await page.locator(selector)[press]();
+    const { x, y, width, height } = await page.locator(selector).boundingBox();
+    for (let presses = 1; presses < count; presses++) await again(page, x + width / 2, y + height / 2);
   },
   choose: (selector, value) => page.locator(selector).selectOption(value),
   async type(selector, text) {
@@ -119,9 +121,19 @@ async function everything(page, hands, keyboard) {
     await hands.press(at.function(name));
     await page.locator(".jog-title h3").waitFor();
     for (const line of WORK[name]) await carryOut(page, hands, line);
-    assert.equal(await page.locator(".jog-raised, .jog-refused").allTextContents().then(all => all.join()), "", name);
+    assert.equal(
+      await page
+        .locator(".jog-raised, .jog-refused")
+        .allTextContents()
+        .then(all => all.join()),
+      "",
+      name,
+    );
     const corrects = WORK[name].some(line => line.startsWith("zo = "));
-    await page.locator(corrects ? '.jog-deviation[data-near="true"]' : ".jog-written").first().waitFor();
+    await page
+      .locator(corrects ? '.jog-deviation[data-near="true"]' : ".jog-written")
+      .first()
+      .waitFor();
     if (corrects) assert.equal(await page.locator("thead th").nth(1).textContent(), "G54", name);
     await hands.press(at.restart);
     await first.waitFor();
@@ -131,9 +143,13 @@ async function everything(page, hands, keyboard) {
 describe("every function of measuring in JOG, from the menu to what is written", () => {
   // oracle: hand (the part lies as it is set up: what is written is where it lies)
   for (const [how, hands, options] of [
-    ["by mouse", pointer("click"), {}],
+    ["by mouse", pointer("click", (page, x, y) => page.mouse.click(x, y)), {}],
     ["by keyboard alone", keys, {}],
-    ["by touch on a tablet", pointer("tap"), { hasTouch: true, viewport: { width: 768, height: 1024 } }],
+    [
+      "by touch on a tablet",
+      pointer("tap", (page, x, y) => page.touchscreen.tap(x, y)),
+      { hasTouch: true, viewport: { width: 768, height: 1024 } },
+    ],
   ])
     test(how, async () => {
       const { context, page, problems } = await open(chrome.browser, {
@@ -145,4 +161,32 @@ describe("every function of measuring in JOG, from the menu to what is written",
       assert.deepEqual(problems, []);
       await context.close();
     });
+});
+
+describe("a measurement in JOG and a program", () => {
+  // oracle: hand (the mask has X0 = 5 for the left face of the block; the call corrects G54, code 1)
+  test("a mask becomes a call, and a call its mask", async () => {
+    const { context, page, problems } = await open(chrome.browser, { path: "#jog", serviceWorkers: "block" });
+    const hands = pointer("click", (one, x, y) => one.mouse.click(x, y))(page);
+    await hands.press(at.step);
+    await hands.press(at.function("set_edge"));
+    await page.locator(".jog-program-open").click();
+    for (const line of WORK.set_edge) await carryOut(page, hands, line);
+    const shown = page.locator(".jog-program-shown");
+    const text = await shown.locator("pre").textContent();
+    assert.match(text, /^G17 G54\nG0 X-\d.*_SETVAL=5 _MA=1 _KNUM=1 /s);
+    assert.ok((await shown.locator("li").count()) > 1, "what differs");
+    await page.locator(".jog-program-insert").click();
+    const field = name => page.locator(`[data-field="${name}"] :is(input, select)`).first();
+    await page.locator(".practise-call").waitFor();
+    assert.equal(await page.locator("#panel-form .opened").isVisible(), true, "the form edits the call");
+    assert.ok((await page.locator(".cm-content").textContent()).includes("_SETVAL=5"));
+    await page.locator(".practise-call").click();
+    await page.locator(".jog-title h3").getByText("Set edge").waitFor();
+    assert.equal(await field("x0").inputValue(), "5");
+    assert.equal(await field("zo").inputValue(), "G54");
+    assert.ok(await page.locator(".jog-note").count(), "what has no place in the mask");
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
 });
