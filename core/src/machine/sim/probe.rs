@@ -77,9 +77,9 @@ impl Sim {
         self.ball_height() + ball_offset(&self.probe, self.probe_angle(), self.tool_axis())
     }
 
-    /// Where the machine is when the ball is so far before the face of the part that is nearest to a point, mm, in the
-    /// direction out of the part there; at most in the middle between it and what is opposite, and there where the middle
-    /// is wanted and something is. None: there is no part.
+    /// Where the machine is when the ball is so far, mm, before the face of the part that is nearest to a point, in the
+    /// direction out of the part there. It is never beyond the middle between the face and what is opposite, and in it
+    /// where that is wanted. None: there is no part.
     pub fn before(&self, point: Mcs, normal: Dir<Mcs>, far: f64, middle: bool) -> Option<Mcs> {
         if self.part.is_nothing() {
             return None;
