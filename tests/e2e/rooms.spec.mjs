@@ -7,7 +7,10 @@ import { fileURLToPath } from "node:url";
 
 const root = fileURLToPath(new URL("../../www/src/", import.meta.url));
 // From the bottom to the top; the files of `src` itself are the ground.
-const ROOMS = [".", "core", "editor", "preview", "state", "scan", "desk", "search", "start", "views", "jog", "page"];
+const ROOMS = [
+  ...[".", "core", "editor", "preview", "state", "scan", "desk", "search", "start", "scenarios"],
+  ...["views", "jog", "page"],
+];
 
 const files = readdirSync(root, { recursive: true }).filter(name => name.endsWith(".ts"));
 const roomOf = file => (file.includes("/") ? file.split("/")[0] : ".");

@@ -46,12 +46,15 @@ function first(root: HTMLElement, { areas, mask }: PracticeView, left: string): 
   return root.querySelector(`[data-function="${before?.name ?? all[0]?.name}"]`);
 }
 
+const noted = (note: Message): TemplateResult =>
+  html`<p class="jog-told jog-note">${iconPart("info")}<span>${say(note)}</span></p>`;
+
 function screen(jog: JogState, seen: PracticeView, practice: Practice, leads: Insert): TemplateResult {
   return html`
     ${seen.mask ? title(seen.mask, practice) : html`<h3>${t("practice-functions")}</h3>`}
     ${seen.raised ? raised(seen, practice) : nothing}
-    ${seen.notes.map(note => html`<p class="jog-told jog-note">${iconPart("info")}<span>${say(note)}</span></p>`)}
-    ${seen.mask ? jog.told.map(note => html`<p class="jog-told jog-note">${iconPart("info")}<span>${say(note)}</span></p>`) : nothing}
+    ${seen.notes.map(noted)}
+    ${seen.mask ? jog.told.map(noted) : nothing}
     ${jog.refused && !jog.refused.field ? refusal(jog.refused) : nothing}
     ${seen.mask ? opened(jog, seen, seen.mask, practice) : menu(seen.areas, practice)}
     ${seen.mask ? asProgram(jog.program, practice, leads) : nothing}

@@ -13,8 +13,8 @@ use probewright_core::words::Words;
 use std::io::Write;
 use std::process::ExitCode;
 
-/// The help page of a variant of a cycle, or of a mask of measuring in JOG; else what a finding, an alarm, a parameter, a result or a datum of the
-/// machine means.
+/// The help page of a variant of a cycle, or of a mask of measuring in JOG; else what a finding, an alarm, a parameter,
+/// a result or a datum of the machine means.
 pub fn explain(name: &str, number: Option<i64>, words: &Words, out: &mut dyn Write) -> Result<ExitCode, Problem> {
     let found = CYCLES.iter().find(|one| one.name.eq_ignore_ascii_case(name));
     let text = match (found, masks::find(name)) {
