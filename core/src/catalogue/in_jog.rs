@@ -1,5 +1,5 @@
-//! Which variant does what a mask of measuring in JOG does, as data (chapter 4 beside chapters 5 and 6). What a call has
-//! to say follows from the fields of the mask, from where was touched, and from the set-up of JOG.
+//! Which variant does what a mask of measuring in JOG does, as data (chapter 4 beside chapters 5 and 6). What a call
+//! has to say follows from the fields of the mask, from where was touched, and from the set-up of JOG.
 
 use crate::entry::names;
 use crate::name::Name;
