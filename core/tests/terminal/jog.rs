@@ -103,8 +103,8 @@ fn a_session_as_json_has_each_line_and_the_machine() {
     assert_eq!(told["setup"]["active"]["frame"], "G54");
 }
 
-// oracle: hand: the corner of the block at X 0, Y 0, touched from 22 and 27 mm before its edges at 80 and 30 mm from it;
-// the start is at most a third of these away. G54 is active then, Z of it still 5 mm off.
+// oracle: hand: the corner of the block at X 0, Y 0, touched from 22 and 27 mm before its edges, at 80 and 30 mm from
+// it; the start is at most a third of these away. G54 is active then, Z of it still 5 mm off.
 #[test]
 fn a_session_prints_what_it_means_as_a_program() {
     let corner = CORNER.split("mask set_edge").next().unwrap();
