@@ -52,6 +52,16 @@ async function litEverywhere(page, name, places = EVERYWHERE) {
   assert.deepEqual(await lit(page, name), places);
 }
 
+/** Where it is, once it is drawn: for a moment there is none while the stage draws its names anew. */
+async function place(locator) {
+  for (let tries = 0; tries < 60; tries++) {
+    const box = await locator.boundingBox();
+    if (box) return box;
+    await locator.page().waitForTimeout(50);
+  }
+  assert.fail("it has no place");
+}
+
 const ink = (page, name) => page.locator(onStage(name)).getAttribute("fill");
 
 describe("the parameter in focus", () => {
@@ -98,7 +108,7 @@ describe("the parameter in focus", () => {
     await page.mouse.move(2, 2);
     await litEverywhere(page, "_SETVAL");
     await page.locator(`${field("_FA")} .entry-line > .figure`).focus();
-    const name = await page.locator(onStage("_SETVAL")).boundingBox();
+    const name = await place(page.locator(onStage("_SETVAL")));
     await page.mouse.move(name.x + name.width / 2, name.y + name.height / 2, { steps: 3 });
     await litEverywhere(page, "_SETVAL");
     await page.mouse.down();
