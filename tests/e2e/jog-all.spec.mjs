@@ -1,5 +1,6 @@
 // Every function of measuring in JOG, from the menu to what is written: by mouse, by keyboard alone, by touch. What is
-// done is tests/data/jog_practice.json, which the core's tests carry out too.
+// done is tests/data/jog_practice.json, which the core's tests carry out too. Each function is done in one of these
+// ways; PROBEWRIGHT_JOG=all does each in all of them, which takes three times as long.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, describe, test } from "node:test";
@@ -109,14 +110,16 @@ async function carryOut(page, hands, line) {
   return chooses ? hands.choose(field, value) : hands.type(field, value);
 }
 
-/** The functions, in the order of the menu, as its own page has them. */
-async function everything(page, hands, keyboard) {
+const ALL = process.env.PROBEWRIGHT_JOG === "all";
+
+/** The functions in the order of the menu: all of them, or those whose turn it is. */
+async function everything(page, hands, { keyboard, turn, turns }) {
   const first = page.locator("[data-function]").first();
   await first.waitFor();
   const names = await page.locator("[data-function]").evaluateAll(all => all.map(one => one.dataset.function));
   assert.equal(names.length, 18);
   await hands.press(at.step);
-  for (const name of names) {
+  for (const name of names.filter((_, index) => ALL || index % turns === turn)) {
     if (keyboard) await page.locator("#jog").focus();
     await hands.press(at.function(name));
     await page.locator(".jog-title h3").waitFor();
@@ -142,7 +145,7 @@ async function everything(page, hands, keyboard) {
 
 describe("every function of measuring in JOG, from the menu to what is written", () => {
   // oracle: hand (the part lies as it is set up: what is written is where it lies)
-  for (const [how, hands, options] of [
+  const ways = [
     ["by mouse", pointer("click", (page, x, y) => page.mouse.click(x, y)), {}],
     ["by keyboard alone", keys, {}],
     [
@@ -150,14 +153,12 @@ describe("every function of measuring in JOG, from the menu to what is written",
       pointer("tap", (page, x, y) => page.touchscreen.tap(x, y)),
       { hasTouch: true, viewport: { width: 768, height: 1024 } },
     ],
-  ])
+  ];
+  for (const [turn, [how, hands, options]] of ways.entries())
     test(how, async () => {
-      const { context, page, problems } = await open(chrome.browser, {
-        path: "#jog",
-        serviceWorkers: "block",
-        ...options,
-      });
-      await everything(page, hands(page), hands === keys);
+      const asked = { path: "#jog", serviceWorkers: "block", ...options };
+      const { context, page, problems } = await open(chrome.browser, asked);
+      await everything(page, hands(page), { keyboard: hands === keys, turn, turns: ways.length });
       assert.deepEqual(problems, []);
       await context.close();
     });
