@@ -57,7 +57,7 @@ describe("what the first form waits for", () => {
   });
 });
 
-/** Names of measuring cycles and macros in the bytes of a module; a figure of another text may stand right behind one. */
+/** Names of measuring cycles and macros in the bytes of a module; the figure of another text may stand behind one. */
 async function names(module) {
   const bytes = Buffer.from(await (await fetch(module)).arrayBuffer());
   return new Set(bytes.toString("latin1").match(/CYCLE(?:9\d\d|1[01]\d)|G1(?:0[1-9]|10)(?!\d)|G65 P99\d\d/g));
