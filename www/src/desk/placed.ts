@@ -4,12 +4,22 @@ import { parseNumber, writtenAs } from "../numbers";
 import { programOf, type State } from "../state/state";
 import type { Derived } from "./derive";
 
-/** Line of the last character before this place, from 1. */
-const lineBefore = (text: string, place: number): number =>
-  text
-    .slice(0, place)
-    .trimEnd()
-    .split(/\r\n?|\n/).length;
+let last = { text: "", place: 0, line: 1 };
+
+/** Line of the last character before this place, from 1. A long program is counted once, however often it is drawn. */
+function lineBefore(text: string, place: number): number {
+  if (last.place !== place || last.text !== text) last = { text, place, line: counted(text, place) };
+  return last.line;
+}
+
+function counted(text: string, place: number): number {
+  const { length } = text.slice(0, place).trimEnd();
+  let line = 1;
+  for (let at = text.indexOf("\n"); at >= 0 && at < length; at = text.indexOf("\n", at + 1)) line++;
+  for (let at = text.indexOf("\r"); at >= 0 && at < length; at = text.indexOf("\r", at + 1))
+    if (text.charCodeAt(at + 1) !== 10) line++; // a CR alone
+  return line;
+}
 
 const bare = (value: string | undefined): string => (value ?? "").trim().replace(/^"(.*)"$/, "$1");
 
