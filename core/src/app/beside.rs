@@ -53,6 +53,11 @@ impl Whole {
         Whole::new(dialect, text, with)
     }
 
+    /// Language of the program.
+    pub fn dialect(&self) -> Dialect {
+        self.joined.dialect
+    }
+
     /// All of it.
     pub fn text(&self) -> &Arc<Vec<u8>> {
         &self.joined.text

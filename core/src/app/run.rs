@@ -180,6 +180,25 @@ impl OfCall {
     }
 }
 
+/// A run before its first block. `main`: the program of the text; none: the first. `arguments`: values of its own
+/// parameters, by name.
+pub(super) fn session(
+    whole: &Whole,
+    setup: &Setup,
+    limits: Limits,
+    main: Option<&str>,
+    arguments: BTreeMap<String, Value>,
+) -> Session {
+    let macros = &setup.control.definitions.macros;
+    let program = syntax::read_held(whole.dialect(), whole.text(), macros, &mut |_| {});
+    let session = Session::new(program, setup, limits);
+    let session = match main {
+        Some(name) => session.of_program(name),
+        None => session,
+    };
+    session.with_arguments(arguments.into_iter().map(|(name, value)| (name.to_ascii_uppercase(), value)).collect())
+}
+
 /// A run in pieces, so that whoever waits for it can be told how far it is, halt it and leave it.
 ///
 /// ```
@@ -211,17 +230,11 @@ impl Run {
     pub fn new(asked: RunRequest) -> Result<Run, Error> {
         let setup = start(asked.control, asked.setup)?.setup;
         let whole = Whole::new(asked.control, asked.text, asked.with);
-        let program = syntax::read_held(asked.control, whole.text(), &setup.control.definitions.macros, &mut |_| {});
         let steps = asked.blocks.map(u64::from);
         let limits = Limits { steps, strict: asked.strict.unwrap_or_default(), ..Limits::default() };
-        let given = asked.arguments.unwrap_or_default().into_iter();
-        let arguments = given.map(|(name, value)| (name.to_ascii_uppercase(), value)).collect();
-        let session = Session::new(program, &setup, limits);
-        let session = match &asked.program {
-            Some(name) => session.of_program(name),
-            None => session,
-        };
-        Ok(Run { session: session.with_arguments(arguments), setup, whole })
+        let arguments = asked.arguments.unwrap_or_default();
+        let session = session(&whole, &setup, limits, asked.program.as_deref(), arguments);
+        Ok(Run { session, setup, whole })
     }
 
     /// Carries out about so many blocks; true: the run is over.

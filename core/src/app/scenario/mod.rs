@@ -8,14 +8,14 @@ pub use file::{Expected, ExpectedCall, Scenario, ScenarioCase, ScenarioText};
 pub use noted::{NoteRequest, noted};
 
 use super::beside::{Beside, Whole};
+use super::run::session;
 use super::{Error, ProgramText};
 use crate::machine::Setup;
 use crate::manual::looked_up;
 use crate::message::Message;
 use crate::refused::{Path, Step};
-use crate::run::{Limits, Outcome, Session};
+use crate::run::{Limits, Outcome};
 use crate::setup_file;
-use crate::syntax;
 use held::differences;
 use serde::{Deserialize, Serialize};
 
@@ -122,13 +122,8 @@ fn replaced(program: &str, case: &ScenarioCase) -> Result<String, Message> {
 }
 
 fn carried_out(scenario: &Scenario, setup: &Setup, text: ProgramText, with: Vec<Beside>) -> Outcome {
-    let control = &setup.control;
-    let whole = Whole::new(control.dialect, text, Some(with));
-    let program = syntax::read_held(control.dialect, whole.text(), &control.definitions.macros, &mut |_| {});
+    let whole = Whole::new(setup.control.dialect, text, Some(with));
     let limits = Limits { steps: Some(BLOCKS), strict: scenario.strict, ..Limits::default() };
-    let session = Session::new(program, setup, limits);
-    let session = if scenario.main.is_empty() { session } else { session.of_program(&scenario.main) };
-    let given = scenario.arguments.iter();
-    let arguments = given.map(|(name, value)| (name.to_ascii_uppercase(), value.clone())).collect();
-    session.with_arguments(arguments).complete()
+    let main = Some(scenario.main.as_str()).filter(|name| !name.is_empty());
+    session(&whole, setup, limits, main, scenario.arguments.clone()).complete()
 }
