@@ -1,8 +1,5 @@
-// What the first form needs, so that it comes in one go: one script, and beside it the module of the core, which that
-// script would ask for only once it runs.
-import type { Plugin, Rollup } from "vite";
-
-const MODULE = /\/core_bg-[^/]*\.wasm$/;
+// What the first form needs, so that it comes in one go: one script.
+import type { Rollup } from "vite";
 
 /** All that a module imports without waiting; not itself: it waits for parts that come later and need the same. */
 function imports(of: string, getInfo: Rollup.GetModuleInfo): Set<string> {
@@ -24,23 +21,5 @@ export function inOne(main: string, otherwise: (id: string) => string | undefine
   return (id, { getModuleInfo }) => {
     known ??= imports(main, getModuleInfo);
     return known.has(id) ? "first" : otherwise(id);
-  };
-}
-
-/** The browser fetches the module while it reads the script. */
-export function ahead(): Plugin {
-  return {
-    name: "ahead",
-    transformIndexHtml: {
-      order: "post",
-      handler(_, { bundle = {} }) {
-        const names = Object.keys(bundle).filter(name => MODULE.test(`/${name}`));
-        return names.map(name => ({
-          tag: "link",
-          attrs: { rel: "preload", as: "fetch", crossorigin: true, href: `./${name}` },
-          injectTo: "head",
-        }));
-      },
-    },
   };
 }

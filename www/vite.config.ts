@@ -1,7 +1,8 @@
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vite";
 import { VitePWA } from "vite-plugin-pwa";
-import { ahead, inOne } from "./first";
+import { answers, ask } from "./answers";
+import { inOne } from "./first";
 import { icons } from "./icons";
 import { manifest } from "./manifest";
 import { chunkOfWords, words } from "./words";
@@ -9,16 +10,22 @@ import { chunkOfWords, words } from "./words";
 const here = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
 
 // Relative paths everywhere (`base`), so that the folder works at any address of any static file server.
-// `@pkg` is what `cargo xtask` built from Rust: core, program, preview-webgpu, preview-webgl.
+// `@pkg` is what `cargo xtask` built from Rust: core, preview-webgpu, preview-webgl.
+const first = ask(here("../pkg/core"));
+
 export default defineConfig({
   base: "./",
   resolve: { alias: { "@pkg": here("../pkg") } },
   // After the first load everything comes from the browser's store: shop networks are closed. A new version waits until
   // the user wants it (`src/page/update.ts`); only a first visit is served from the store at once.
   plugins: [
-    words(here("../core/messages"), here("messages"), here("../core/src/catalogue/mod.rs")),
+    answers(first),
+    words(
+      here("../core/messages"),
+      here("messages"),
+      first.then(({ cycle }) => cycle.cycle),
+    ),
     icons(here("public/icon.svg")),
-    ahead(),
     VitePWA({
       registerType: "prompt",
       injectRegister: null,

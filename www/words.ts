@@ -19,13 +19,6 @@ const TERMINAL = "report.ftl"; // never shown in the page
 
 type Part = "first" | "later" | "help";
 
-/** The file of the cycle that the page's first module knows, as the catalogue names it. */
-function firstCycle(catalogue: string): string {
-  const name = /^const FIRST: .*&(cycle\d+)::/m.exec(readFileSync(catalogue, "utf8"))?.[1];
-  if (!name) throw new Error(`${catalogue} names no cycle of the first visit`);
-  return `${name}.ftl`;
-}
-
 /** Where a message of the core belongs; help pages are long and read by few. `first`: the file of the first cycle. */
 function partOf(file: string, message: string, first: string): Part | null {
   if (file === TERMINAL) return null;
@@ -39,13 +32,14 @@ function messages(text: string): string[] {
   return text.split(/\n(?=[a-z#]|$)/).filter(message => /^[a-z]/.test(message));
 }
 
-export function words(core: string, page: string, catalogue: string): Plugin {
-  const first = firstCycle(catalogue);
+/** `firstCycle`: the cycle whose words a first visit shows. */
+export function words(core: string, page: string, firstCycle: Promise<string>): Plugin {
   const languages = readdirSync(core);
   const others = languages.filter(one => one !== FALLBACK);
   const files = (folder: string): string[] => readdirSync(folder).filter(name => name.endsWith(".ftl"));
 
-  function text(language: string, wanted: Part[]): string {
+  async function text(language: string, wanted: Part[]): Promise<string> {
+    const first = `${(await firstCycle).toLowerCase()}.ftl`;
     const said = (folder: string, belongs: (file: string, message: string) => Part | null): string[] =>
       files(join(folder, language)).flatMap(file =>
         messages(readFileSync(join(folder, language, file), "utf8")).filter(message => {
@@ -63,7 +57,7 @@ export function words(core: string, page: string, catalogue: string): Plugin {
   return {
     name: "words",
     resolveId: id => (id.startsWith("words:") ? `\0${id}` : null),
-    load(id) {
+    async load(id) {
       const name = /^\0words:(.+)$/.exec(id)?.[1];
       if (name === undefined) return null;
       if (name === "all")
@@ -77,7 +71,7 @@ export function words(core: string, page: string, catalogue: string): Plugin {
       for (const folder of [core, page])
         for (const file of files(join(folder, language))) this.addWatchFile(join(folder, language, file));
       const wanted: Part[] = part === "whole" ? ["first", "later"] : [part as Part];
-      return `export default ${JSON.stringify(text(language, wanted))}`;
+      return `export default ${JSON.stringify(await text(language, wanted))}`;
     },
   };
 }

@@ -68,8 +68,7 @@
 //!
 //! # Features
 //!
-//! `simulation` (on by default) carries out cycles and draws them, `json` reads and writes documents, `cli` has the
-//! terminal program with words and reports. See ARCHITECTURE.md for the rooms and the invariants.
+//! `json` reads and writes documents, `cli` has the terminal program with words and reports. See ARCHITECTURE.md for the rooms and the invariants.
 
 #[cfg(feature = "json")]
 pub mod app;
@@ -109,17 +108,3 @@ mod test_data;
 #[cfg(feature = "cli")]
 pub mod words;
 pub mod workpiece;
-
-/// Whether this build carries out cycles, draws them and reads descriptions of machines (feature `simulation`). The
-/// page's first module does not, and is so much smaller.
-pub const SIMULATES: bool = cfg!(feature = "simulation");
-
-/// What tables say that only a whole build shows or judges: the page's first module has something smaller instead.
-const fn whole<T: Copy>(value: T, otherwise: T) -> T {
-    if SIMULATES { value } else { otherwise }
-}
-
-/// A place in the manual, in a table of which only a whole build shows the places.
-const fn cited(source: &'static str) -> &'static str {
-    whole(source, "")
-}

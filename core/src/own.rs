@@ -2,7 +2,6 @@
 //! and what helps. Checks raise it by its name, `probewright explain` tells every sentence of a number.
 //!
 //! Findings of a run have their table in `run::problem`.
-#![cfg_attr(not(feature = "simulation"), allow(dead_code))] // the cycle of the first visit raises few of them
 
 use crate::diagnostic::{Code, Diagnostic, Severity};
 use crate::message::Message;

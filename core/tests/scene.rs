@@ -1,6 +1,6 @@
 //! What is drawn is what is touched: points of every drawn surface of every variant of every cycle lie on the surface
 //! against which the probe is held, with every error slider at a random value.
-#![cfg(all(feature = "json", feature = "simulation"))]
+#![cfg(feature = "json")]
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use probewright_core::entry::ProbeUse;

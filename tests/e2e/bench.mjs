@@ -25,7 +25,7 @@ async function programModule(page) {
     await route.fulfill({ body: await readFile(new URL(path, root)), contentType });
   });
   await page.evaluate(async () => {
-    const module = await import(new URL("bench-pkg/program/program.js", location.href).href);
+    const module = await import(new URL("bench-pkg/core/core.js", location.href).href);
     await module.default();
     globalThis["bench-program"] = module;
   });
@@ -415,16 +415,16 @@ async function scan(page) {
   row("its three texts, s", [texts.toFixed(1)]);
 }
 
-// The first usable form is all that the page has asked for until the form is painted: from then on it takes keys and
-// shows findings. But for the module that carries out cycles, which the form does not wait for: it begins to come while
-// the form is made, and counts as its own part. What is asked for later, by name of the part, its files.
-const FIRST = "first usable form";
-const WITHOUT = /\/program_bg-/;
+// The first form is all that the page has asked for until the form is painted. But for the core, which the form does not
+// wait for: it begins to come while the form is made, and counts as its own part. What is asked for later, by name of
+// the part, its files.
+const FIRST = "first form";
+const WITHOUT = /\/core_bg-/;
 const LATER = "later: types, start screen, icons";
 const PARTS = [
   ["editor", /\/(editor|document)-/],
   ["preview", /\/(preview|view)[-_]/],
-  ["programs", /\/(program|worker|words-en-later)[-_]/],
+  ["programs", /\/(core|program|worker|words-en-later)[-_]/],
   ["results, help, machine data", /\/later-/],
 ];
 

@@ -247,7 +247,7 @@ describe("what is kept", () => {
     assert.deepEqual([next.form.control, next.form.open, next.form.touched], ["sinumerik", 0, {}]);
     assert.deepEqual([next.program.files, next.desk.pending, next.machine.suits], [{}, [], {}]);
     assert.deepEqual([next.snippet.style, next.panels.unfolded], ["", { a: true }]);
-    assert.deepEqual(next.part.errors.part, { ...state.NO_ERRORS.part, dy: 2 });
+    assert.deepEqual(next.part.errors.part, { ...state.AS_SET_UP, dy: 2 });
     assert.equal(stored.merge(read(), null).form.open, 0);
   });
 

@@ -184,8 +184,7 @@ describe("a long program", () => {
     assert.equal(fetched.filter(path => path.includes("worker")).length, 0, "the first form needs no worker");
     await openFile(page, LONG);
     await count(page, 3);
-    for (const part of ["core", "program"])
-      assert.equal(fetched.filter(path => path.includes(`/${part}_bg`)).length, 1, `${part} is fetched once`);
+    assert.equal(fetched.filter(path => path.includes("/core_bg")).length, 1, "the core is fetched once");
     assert.equal(fetched.filter(path => /worker/.test(path)).length, 1);
     assert.equal(page.workers().length, 1);
     assert.deepEqual(problems, []);

@@ -36,7 +36,7 @@ export async function modules() {
 
 // The core as the page has it, in Node.
 export async function program() {
-  const module = await import(pathToFileURL(join(root, "pkg/program/program.js")).href);
-  module.initSync({ module: await readFile(join(root, "pkg/program/program_bg.wasm")) });
+  const module = await import(pathToFileURL(join(root, "pkg/core/core.js")).href);
+  module.initSync({ module: await readFile(join(root, "pkg/core/core_bg.wasm")) });
   return module;
 }

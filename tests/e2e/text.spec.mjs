@@ -42,7 +42,7 @@ const lines = text => text.split(/\r\n|\r|\n/);
 const shown = (text, offset) => text.slice(0, offset).replaceAll("\r\n", "\n").length;
 
 // oracle: self (the definition, without a memory of earlier texts)
-test("offsets in program and editor stay right over any edits", () => {
+test("offsets in program and editor, and lines, stay right over any edits", () => {
   for (let seed = 1; seed <= 300; seed++) {
     const next = random(seed);
     let text = some(next, 12);
@@ -50,11 +50,17 @@ test("offsets in program and editor stay right over any edits", () => {
       eol.toEditor(text, 0);
       const from = next(text.length + 1);
       const to = from + next(text.length - from + 1);
-      text = eol.splice(text, [{ from, to, insert: some(next, 3) }]);
+      const insert = some(next, 3);
+      const back = { from, to: from + insert.length, insert: text.slice(from, to) };
+      const changed = eol.splice(text, [{ from, to, insert }]);
+      assert.equal(changed, text.slice(0, from) + insert + text.slice(to));
+      assert.equal(eol.splice(changed, [back]), text);
+      text = eol.splice(text, [{ from, to, insert }]);
       for (let at = 0; at <= text.length; at++) {
         if (text[at - 1] === "\r" && text[at] === "\n") continue;
         assert.equal(eol.toEditor(text, at), shown(text, at), JSON.stringify({ text, at }));
         assert.equal(eol.toProgram(text, shown(text, at)), at, JSON.stringify({ text, at }));
+        assert.equal(eol.lineAt(text, at), lines(text.slice(0, at)).length, JSON.stringify({ text, at }));
       }
     }
   }

@@ -1,6 +1,6 @@
 // Probewright for JavaScript: measuring cycles of CNC controls, in Node and in the browser. Nothing leaves the machine.
 
-import init, * as wasm from "./program/program.js";
+import init, * as wasm from "./core/core.js";
 import type {
   AlarmInfo,
   Catalogue,
@@ -79,7 +79,7 @@ const RUN_PIECE = 2000; // blocks
 
 /**
  * Loads the module: in Node from its file, in a browser by `fetch` from beside this script, or from `module`, the bytes
- * of `program/program_bg.wasm` or its address.
+ * of `core/core_bg.wasm` or its address.
  */
 export async function load(module?: BufferSource | WebAssembly.Module | URL | string): Promise<Probewright> {
   await init({ module_or_path: module ?? (await beside()) });
@@ -129,7 +129,7 @@ function recognise(bytes: Uint8Array): Recognised {
 
 /** The module beside this script: its bytes in Node, where nothing serves it, its address in a browser. */
 async function beside(): Promise<BufferSource | URL> {
-  const address = new URL("./program/program_bg.wasm", import.meta.url);
+  const address = new URL("./core/core_bg.wasm", import.meta.url);
   if (address.protocol !== "file:") return address;
   const { readFile } = await import("node:fs/promises");
   return readFile(address);

@@ -1,4 +1,4 @@
-//! What can be measured: asked for first, and once more of the module that knows all cycles.
+//! What can be measured.
 
 use probewright_core::{app, json};
 use wasm_bindgen::prelude::wasm_bindgen;

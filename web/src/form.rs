@@ -1,4 +1,4 @@
-//! The form: both modules answer it, the first without picture and prediction.
+//! The form.
 
 use probewright_core::{app, json};
 use wasm_bindgen::JsError;

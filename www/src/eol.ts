@@ -3,30 +3,51 @@
 
 import type { Pace } from "./pace";
 
-const KEPT = 2; // texts whose pairs are remembered: a program, and the one that it has replaced
+const KEPT = 2; // texts that are remembered: a program, and the one that it has replaced
 const PIECE = 1_000_000; // characters between two looks at the clock
+const STEP = 65_536; // characters between two places to which the line breaks are counted
 
-let lately: readonly { text: string; pairs: Int32Array }[] = [];
-
-/** Offsets of the CR of every CR LF. */
-function pairs(text: string): Int32Array {
-  return lately.find(one => one.text === text)?.pairs ?? remember(text, found(text, 0, text.length));
+/** A place in a text, and how many line breaks end before it. */
+interface Counted {
+  at: number;
+  breaks: number;
 }
 
+/**
+ * `pairs`: offsets of the CR of every CR LF; `counted`: places of a long text, about a step from one to the next;
+ * `before`: the text that it was made of, and what makes it that again.
+ */
+interface Known {
+  text: string;
+  pairs: Int32Array;
+  counted?: readonly Counted[] | undefined;
+  before?: { text: string; edit: Splice };
+}
+
+let lately: readonly Known[] = [];
+
+function known(text: string): Known {
+  return lately.find(one => one.text === text) ?? remember({ text, pairs: found(text, 0, text.length) });
+}
+
+const pairs = (text: string): Int32Array => known(text).pairs;
+
 /** `instead`: the text whose place it takes. */
-function remember(text: string, pairs: Int32Array, instead?: string): Int32Array {
-  lately = [{ text, pairs }, ...lately.filter(one => one.text !== instead)].slice(0, KEPT);
-  return pairs;
+function remember(one: Known, instead?: string): Known {
+  lately = [one, ...lately.filter(({ text }) => text !== instead)].slice(0, KEPT);
+  return one;
 }
 
 /** Finds the line breaks of a long text ahead of all questions, in slices. */
 export async function learn(text: string, pace: Pace): Promise<void> {
   const parts: Int32Array[] = [];
+  const counted: Counted[] = [];
   for (let from = 0; from < text.length; from += PIECE) {
     parts.push(found(text, from, from + PIECE));
+    count(text, counted, from + PIECE);
     await pace.turn(from / text.length);
   }
-  remember(text, joined(parts));
+  remember({ text, pairs: joined(parts), counted });
 }
 
 /** Offsets of every CR of a CR LF, the CR from `from` on and before `to`. */
@@ -101,17 +122,73 @@ export interface Splice {
 
 /** Splices that do not overlap, offsets in the text before all of them. */
 export function splice(text: string, edits: readonly Splice[]): string {
+  const [only] = edits;
+  const one = lately.find(known => known.text === text);
+  if (only && edits.length === 1 && one) return spliced(one, only);
   const pieces: string[] = [];
   let at = 0;
   for (const edit of [...edits].sort((a, b) => a.from - b.from || a.to - b.to)) {
     pieces.push(text.slice(at, edit.from), edit.insert);
     at = edit.to;
   }
-  const result = pieces.join("") + text.slice(at);
-  const [only] = edits;
-  const known = lately.find(one => one.text === text);
-  if (only && edits.length === 1 && known) remember(result, pairsAfter(known.pairs, only, result), text);
+  return pieces.join("") + text.slice(at);
+}
+
+/**
+ * One edit, and what follows from it without another look at the whole text. What brings the text before back gives
+ * that itself: nothing is copied, and whoever compares the two sees at once that they are the same.
+ */
+function spliced(one: Known, edit: Splice): string {
+  const { text, before } = one;
+  const again = before && isSame(before.edit, edit);
+  const result = again ? before.text : text.slice(0, edit.from) + edit.insert + text.slice(edit.to);
+  const back = { from: edit.from, to: edit.from + edit.insert.length, insert: text.slice(edit.from, edit.to) };
+  const counted = one.counted?.flatMap(known => countedAfter(known, edit, text, result));
+  remember({ text: result, pairs: pairsAfter(one.pairs, edit, result), counted, before: { text, edit: back } }, text);
   return result;
+}
+
+const isSame = (one: Splice, other: Splice): boolean =>
+  one.from === other.from && one.to === other.to && one.insert === other.insert;
+
+/** Line breaks that end from `from` on and before `to`: LF, CR LF, or a CR alone. */
+function breaksIn(text: string, from: number, to: number): number {
+  const part = text.slice(from, to);
+  let count = 0;
+  for (let at = part.indexOf("\n"); at >= 0; at = part.indexOf("\n", at + 1)) count++;
+  for (let at = part.indexOf("\r"); at >= 0; at = part.indexOf("\r", at + 1))
+    if (text.charCodeAt(from + at + 1) !== 10) count++;
+  return count;
+}
+
+const FIRST: Counted = { at: 0, breaks: 0 };
+
+/** Goes on from the last of these places as far as there are steps before `end`. */
+function count(text: string, counted: Counted[], end: number): Counted[] {
+  let { at, breaks } = counted.at(-1) ?? FIRST;
+  for (const most = Math.min(end, text.length); at + STEP <= most; at += STEP) {
+    breaks += breaksIn(text, at, at + STEP);
+    counted.push({ at: at + STEP, breaks });
+  }
+  return counted;
+}
+
+/** What is still known after one edit; a CR right before it may have become a break, or none. */
+function countedAfter({ at, breaks }: Counted, edit: Splice, before: string, text: string): Counted[] {
+  const from = Math.max(0, edit.from - 1);
+  if (at <= from) return [{ at, breaks }];
+  if (at < edit.to) return [];
+  const end = edit.from + edit.insert.length;
+  const more = breaksIn(text, from, end) - breaksIn(before, from, edit.to);
+  return [{ at: at + end - edit.to, breaks: breaks + more }];
+}
+
+/** Line of a place, from 1. */
+export function lineAt(text: string, place: number): number {
+  const one = known(text);
+  one.counted ??= count(text, [], text.length);
+  const { at, breaks } = one.counted.findLast(known => known.at <= place) ?? FIRST;
+  return 1 + breaks + breaksIn(text, at, place);
 }
 
 /**

@@ -904,8 +904,8 @@ export type FormView = {
   diagnostics: Array<Diagnostic>,
   /** Text of the program, also for incomplete values as far as it can be written; empty: not in this way. */
   snippet: string,
-  /** Where the values are written in it: first UTF-16 unit, and one past the end; only from a build that simulates. */
-  snippetPlaces?: { [key in Name]: [number, number] },
+  /** Where the values are written in it: first UTF-16 unit, and one past the end. */
+  snippetPlaces: { [key in Name]: [number, number] },
   /** What this call style cannot say. */
   snippetFindings: Array<Diagnostic>,
   /** Call style that counts until another is chosen: the machine may say so. */
@@ -914,9 +914,9 @@ export type FormView = {
   complete: boolean,
   /** The variant that the values choose. */
   mvar: number | null,
-  /** The limits of the tolerances as a picture; only from a build that simulates, and where there are any. */
+  /** The limits of the tolerances as a picture, where there are any. */
   chain?: Chain,
-  /** What the values mean, drawn; only from a build that simulates. */
+  /** What the values mean, drawn. */
   picture?: Picture,
   /** When asked for: the same task on the other control; null where that has none. */
   twin?: TwinView | null,

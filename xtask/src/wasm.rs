@@ -24,26 +24,17 @@ struct Module {
     /// Cargo profile it is handed out in.
     profile: &'static str,
     features: &'static str,
-    /// Level of `wasm-opt` where it is worth its time: it barely helps the large WebGL module, and makes that of the
-    /// form 7 % smaller, but 2 % larger over the wire.
+    /// Level of `wasm-opt` where it is worth its time: it barely helps the large WebGL module.
     optimise: Option<&'static str>,
 }
 
-const MODULES: [Module; 4] = [
+const MODULES: [Module; 3] = [
     Module {
         folder: "core",
         name: "core",
         package: "probewright-web",
-        profile: "web",
-        features: "form",
-        optimise: None,
-    },
-    Module {
-        folder: "program",
-        name: "program",
-        package: "probewright-web",
-        profile: "program",
-        features: "program",
+        profile: "release",
+        features: "",
         optimise: Some("-O3"),
     },
     Module {

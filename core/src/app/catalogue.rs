@@ -9,7 +9,7 @@ use crate::entry::{Aim, Cycle, Param, ProbeUse, ResultField, Style, Typed, Unit}
 use crate::manual::Cited;
 use crate::name::Name;
 use crate::workpiece::free::EXAMPLES;
-use crate::{SIMULATES, check, entry, jog};
+use crate::{check, entry, jog};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -125,8 +125,7 @@ pub struct ParameterInfo {
 
 /// Everything that can be measured.
 pub fn catalogue() -> Catalogue {
-    let mut applicate = BTreeMap::new(); // `from` would bring a sort of its own into the page's first module
-    applicate.extend(Plane::ALL.map(|plane| (plane, plane.axes()[2])));
+    let applicate = Plane::ALL.map(|plane| (plane, plane.axes()[2])).into();
     let practises = [Dialect::Sinumerik, Dialect::Nct].into_iter().filter(|control| jog::measures(*control)).collect();
     Catalogue { cycles: CYCLES.iter().map(|cycle| entry(cycle)).collect(), applicate, practises }
 }
@@ -141,8 +140,8 @@ fn entry(cycle: &'static Cycle) -> CycleInfo {
         numbered: cycle.variant_param().is_some(),
         variants: cycle.variants.iter().map(|one| variant(cycle, one)).collect(),
         parameters: cycle.params.iter().map(parameter).collect(),
-        results: if SIMULATES { cycle.results } else { &[] },
-        alarms: if SIMULATES { cycle.alarms() } else { Vec::new() },
+        results: cycle.results,
+        alarms: cycle.alarms(),
         example: worked(cycle),
         twins: !cycle.purpose.tasks.is_empty(),
         simulated: cycle.simulation.is_some(),

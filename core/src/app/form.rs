@@ -21,7 +21,7 @@ use crate::picture::Picture;
 use crate::program::write::{self, Values, snippet_of};
 use crate::scene::Source;
 use crate::support::{Before, Support};
-use crate::{SIMULATES, check, form, own, support};
+use crate::{check, form, own, support};
 use serde::{Deserialize, Serialize};
 
 /// What a form is asked for.
@@ -52,7 +52,6 @@ pub struct FormRequest {
     /// How X is given at the call; absent: as diameters in a turning cycle.
     pub transverse: Option<Transverse>,
     /// What is wrong with part and probe; absent: nothing.
-    #[cfg_attr(not(feature = "simulation"), serde(skip))]
     pub errors: Option<ErrorSliders>,
     /// Words by parameter for a comment line each in the snippet.
     pub comments: Option<Typed>,
@@ -85,9 +84,8 @@ pub struct FormView {
     pub diagnostics: Vec<Finding>,
     /// Text of the program, also for incomplete values as far as it can be written; empty: not in this way.
     pub snippet: String,
-    /// Where the values are written in it: first UTF-16 unit, and one past the end; only from a build that simulates.
-    #[serde(skip_serializing_if = "absent")]
-    pub snippet_places: Option<Places>,
+    /// Where the values are written in it: first UTF-16 unit, and one past the end.
+    pub snippet_places: Places,
     /// What this call style cannot say.
     pub snippet_findings: Vec<Finding>,
     /// Call style that counts until another is chosen: the machine may say so.
@@ -97,32 +95,27 @@ pub struct FormView {
     /// The variant that the values choose.
     #[cfg_attr(test, ts(optional = false))]
     pub mvar: Option<i64>,
-    /// The limits of the tolerances as a picture; only from a build that simulates, and where there are any.
-    #[serde(skip_serializing_if = "absent")]
+    /// The limits of the tolerances as a picture, where there are any.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub chain: Option<Chain>,
-    /// What the values mean, drawn; only from a build that simulates.
-    #[serde(skip_serializing_if = "absent")]
+    /// What the values mean, drawn.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub picture: Option<Picture>,
     /// When asked for: the same task on the other control; null where that has none.
-    #[serde(skip_serializing_if = "absent")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub twin: Option<Option<TwinView>>,
     /// When simulating was asked for and there is no outcome: parameters whose values only a run tells.
-    #[serde(skip_serializing_if = "absent")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub unknown: Option<Vec<Name>>,
     /// When simulating was asked for, of a complete form of a cycle that is simulated.
-    #[serde(skip_serializing_if = "absent")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub outcome: Option<Outcome>,
     /// When simulating was asked for: the machine, for an outcome with the proposed part, its errors and the start.
-    #[serde(skip_serializing_if = "absent")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub setup: Option<Setup>,
     /// Whether the calibration data in that setup agree with its probe, for the probe that the call names.
-    #[serde(skip_serializing_if = "absent")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub calibrated: Option<bool>,
-}
-
-/// Whether a member is left out; what only a build that simulates can tell, no other one writes.
-fn absent<T>(member: &Option<T>) -> bool {
-    !SIMULATES || member.is_none()
 }
 
 /// Answers what is asked at every keystroke.
@@ -176,8 +169,8 @@ pub fn form(mut asked: FormRequest) -> Result<FormView, Error> {
     for field in &mut view.fields {
         field.written = pointed.get(field.name.as_str()).cloned();
     }
-    view.twin = (asked.twin && SIMULATES).then(|| twin(cycle, &values, &start.setup.control));
-    if !asked.predict || !SIMULATES {
+    view.twin = asked.twin.then(|| twin(cycle, &values, &start.setup.control));
+    if !asked.predict {
         return Ok(view);
     }
     let mut values = values;
@@ -235,23 +228,21 @@ fn at_call(control: &mut Control, cycle: &Cycle, asked: &FormRequest) -> Result<
     Ok(())
 }
 
-/// The list of a newer control, where the call that the form shows is written in it: only a whole build opens calls.
+/// The list of a newer control, where the call that the form shows is written in it.
 fn newer_list(cycle: &Cycle, written: Option<Style>) -> Option<&'static ArgumentList> {
     let of_newer = |list: &&ArgumentList| list.style == Style::Operate;
-    cycle.lists.iter().find(of_newer).filter(|_| SIMULATES && written == Some(Style::Operate))
+    cycle.lists.iter().find(of_newer).filter(|_| written == Some(Style::Operate))
 }
 
 /// The values that were typed with a decimal comma, as a program has them: with a point.
 fn pointed(cycle: &Cycle, values: &Typed) -> Typed {
     let commas = |text: &str| text.matches(',').count();
-    let with_point = values.iter().filter_map(|(name, text)| {
+    let with_point = |(name, text): (&String, &String)| {
         let param = cycle.param(name).filter(|param| commas(text) > 0 && !matches!(param.kind, Kind::Text(_)))?;
         let written = write::value(cycle.dialect, param, text).filter(|written| commas(written) < commas(text))?;
         Some((name.clone(), written))
-    });
-    let mut pointed = Typed::new(); // `collect` would bring a sort of its own into the page's first module
-    pointed.extend(with_point);
-    pointed
+    };
+    values.iter().filter_map(with_point).collect()
 }
 
 /// What the values are worth that are expressions of what is known, and how these are written.
@@ -325,10 +316,10 @@ fn view(
     let findings = |list: &[Diagnostic]| list.iter().map(Finding::of).collect();
     let fields: Vec<Field> = form::fields_by(&inputs, values.typed, control).into_iter().map(with_expression).collect();
     FormView {
-        chain: SIMULATES.then(|| form::chain(&fields, &inputs, control)).flatten(),
+        chain: form::chain(&fields, &inputs, control),
         fields,
         diagnostics: findings(&checked.diagnostics),
-        snippet_places: SIMULATES.then(|| places::in_snippet(&written)),
+        snippet_places: places::in_snippet(&written),
         snippet: written.text,
         snippet_findings: findings(&written.findings),
         preset: style,

@@ -1,14 +1,13 @@
 //! The machine of a question: the core's own, or one that the user described.
 
 use super::Error;
-use crate::SIMULATES;
 use crate::control::{Plane, UnitFunction, Units, Value};
 use crate::dialect::Dialect;
 use crate::machine::Setup;
 use crate::setup_file;
 use crate::setup_file::SetupFile;
 use serde::de::value::{MapAccessDeserializer, StringDeserializer};
-use serde::de::{DeserializeSeed, Error as _, IntoDeserializer, MapAccess, Visitor};
+use serde::de::{DeserializeSeed, IntoDeserializer, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 use std::collections::BTreeMap;
 use std::fmt;
@@ -73,9 +72,6 @@ impl<'de> Visitor<'de> for Either {
         if first.as_deref() == Some("own") {
             return Ok(Machine::Own(OwnMachine { own: members.next_value()? }));
         }
-        if !SIMULATES {
-            return Err(M::Error::custom("document-no-setup"));
-        }
         let all = MapAccessDeserializer::new(Again { first, rest: members });
         Ok(Machine::File(Box::new(SetupFile::deserialize(all)?)))
     }
@@ -112,7 +108,7 @@ pub(super) struct Start {
 /// The machine of a question; none: the core's own as it is.
 pub(super) fn start(dialect: Dialect, machine: Option<Machine>) -> Result<Start, Error> {
     let own = match machine {
-        Some(Machine::File(file)) if SIMULATES => {
+        Some(Machine::File(file)) => {
             return Ok(Start { setup: setup_file::setup(*file)?, described: true });
         }
         Some(Machine::Own(OwnMachine { own })) => own,
@@ -123,10 +119,10 @@ pub(super) fn start(dialect: Dialect, machine: Option<Machine>) -> Result<Start,
     if let Some(function) = own.units {
         super::choose_units(&mut setup.control, function)?;
     }
-    if SIMULATES && !own.definitions.is_empty() {
+    if !own.definitions.is_empty() {
         setup.control.definitions = setup_file::defined(&own.definitions)?;
     }
-    if SIMULATES && !own.data.is_empty() {
+    if !own.data.is_empty() {
         for (name, value) in own.data {
             setup.control.data.insert(name, value);
         }

@@ -40,7 +40,7 @@ pub fn choosing(cycle: &'static Cycle, number: i64) -> Typed {
         let typed = param.chooses.first()?.typed;
         Some((param.name.to_string(), typed.to_owned()))
     };
-    let given = one_by_one(cycle.params.iter().filter_map(first));
+    let given = cycle.params.iter().filter_map(first).collect();
     let given = check::read(cycle, &given, &delivery(cycle.dialect), &mut Vec::new());
     let value = |param: &crate::entry::Param| {
         if matches!(param.kind, crate::entry::Kind::Variant(_)) {
@@ -51,7 +51,7 @@ pub fn choosing(cycle: &'static Cycle, number: i64) -> Typed {
         let typed = choices.find(|one| one.variant == number).map_or("", |one| one.typed);
         Some((param.name.to_string(), typed.to_owned()))
     };
-    one_by_one(cycle.params.iter().filter_map(value))
+    cycle.params.iter().filter_map(value).collect()
 }
 
 /// Values of G17 in another plane: an address that names an axis is that of the axis with the same part in the plane,
@@ -69,7 +69,7 @@ pub fn turned(cycle: &Cycle, values: &Typed, plane: Plane) -> Typed {
     if !values.keys().all(|name| has(&turn(name))) {
         return values.clone();
     }
-    one_by_one(values.iter().map(|(name, value)| (turn(name), value.clone())))
+    values.iter().map(|(name, value)| (turn(name), value.clone())).collect()
 }
 
 /// The worked measurement as it is in the entry.
@@ -86,14 +86,7 @@ pub fn changed(cycle: &Cycle, changes: &[(&str, &str)]) -> Typed {
 }
 
 fn typed(pairs: impl Iterator<Item = (Name, &'static str)>) -> Typed {
-    one_by_one(pairs.map(|(name, value)| (name.to_string(), value.to_owned())))
-}
-
-/// A map of these values. Collecting it would link code that sorts, into the page's first module too.
-fn one_by_one(pairs: impl Iterator<Item = (String, String)>) -> Typed {
-    let mut values = Typed::new();
-    values.extend(pairs);
-    values
+    pairs.map(|(name, value)| (name.to_string(), value.to_owned())).collect()
 }
 
 #[cfg(test)]

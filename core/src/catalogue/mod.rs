@@ -75,13 +75,9 @@ pub(crate) mod log {
 use crate::dialect::Dialect;
 use crate::entry::Cycle;
 
-/// Every cycle that Probewright knows, in the order in which they are offered. The page's first module knows that of
-/// the first visit: what a first visit waits for does not grow with the catalogue.
-pub static CYCLES: &[&Cycle] = if crate::SIMULATES { ALL } else { FIRST };
+/// Every cycle that Probewright knows, in the order in which they are offered, as the build script finds them.
+pub static CYCLES: &[&Cycle] = ALL;
 
-const FIRST: &[&Cycle] = &[&cycle977::CYCLE977];
-
-/// Every entry, as the build script finds them.
 const ALL: &[&Cycle] = include!(concat!(env!("OUT_DIR"), "/cycles.rs"));
 
 const _: () = {

@@ -1,6 +1,5 @@
 //! Expressions as they are typed: how a control writes them, and what they are worth.
 
-use crate::SIMULATES;
 use crate::control::{Control, Value};
 use crate::dialect::Dialect;
 use crate::syntax::fold::{Known, names_in, number};
@@ -62,11 +61,8 @@ pub fn names(dialect: Dialect, written: &str) -> BTreeSet<String> {
     found
 }
 
-/// A program of this expression alone; none in a build that does not simulate, which reads no programs.
+/// A program of this expression alone.
 fn alone(dialect: Dialect, written: &str) -> Option<(Program, ExprId)> {
-    if !SIMULATES {
-        return None;
-    }
     let name = if Grammar::of(dialect).by_address { "D" } else { "_X=" };
     let program = read(dialect, format!("{name}{written}").as_bytes());
     let id = match program.words[..] {

@@ -60,9 +60,7 @@ pub fn delivery_in(dialect: Dialect, units: Units) -> Control {
 /// What the table of NCT data says; a switch is there when it is 0, too.
 pub(super) fn nct(units: Units) -> BTreeMap<String, Value> {
     let value = |element: &Element| delivered(element, units, !element.choices.is_empty());
-    let mut data = BTreeMap::new(); // `collect` would bring a sort of its own into the page's first module
-    data.extend(nct_data::all().filter_map(|datum| Some((datum.name.to_owned(), value(&datum.element)?))));
-    data
+    nct_data::all().filter_map(|datum| Some((datum.name.to_owned(), value(&datum.element)?))).collect()
 }
 
 /// What the tables of SINUMERIK data say, except parameters of a call.

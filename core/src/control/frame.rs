@@ -1,6 +1,5 @@
 //! One frame: the step from one coordinate system to the next. Lengths in mm, angles in degree.
 
-use crate::SIMULATES;
 use crate::geometry::rigid::{angles, rotation};
 use crate::geometry::{Degrees, Rpy};
 use nalgebra::{Matrix3, Vector3};
@@ -92,8 +91,7 @@ impl Frame {
     /// A direction of this system in the one before it.
     pub fn turn(&self, direction: [f64; 3]) -> [f64; 3] {
         let direction = self.mirrored(direction);
-        // the machine of a build that does not simulate is as delivered: nothing is rotated there
-        if !SIMULATES || self.rotation == [0.0; 3] {
+        if self.rotation == [0.0; 3] {
             return direction;
         }
         (rotation(self.rotation) * Vector3::from(direction)).into()

@@ -2,7 +2,6 @@
 
 use super::units::UnitFunction::{self, G20, G21, G70, G71, G700, G710};
 use super::{Calibration, Control, Units, Value, calibration, data, delivery};
-use crate::SIMULATES;
 use crate::diagnostic::Code;
 use crate::dialect::Dialect;
 use std::collections::BTreeMap;
@@ -83,8 +82,8 @@ impl Make {
     /// The make whose programs are written in this language.
     pub fn of(dialect: Dialect) -> &'static Make {
         match dialect {
-            Dialect::Nct if SIMULATES => &NCT,
-            _ => &SINUMERIK, // a build that does not simulate has no other
+            Dialect::Nct => &NCT,
+            Dialect::Sinumerik => &SINUMERIK,
         }
     }
 

@@ -94,12 +94,12 @@ impl Cycle {
         groups.filter_map(move |group| group.choice(number))
     }
 
-    /// The cycle at work; none where it is not simulated, or not in this build (feature `simulation`).
+    /// The cycle at work; none where it is not simulated.
     pub fn work(&self) -> Option<&Work> {
-        self.simulation.as_ref().filter(|_| crate::SIMULATES)?.work.as_ref()
+        Some(&self.simulation.as_ref()?.work)
     }
 
-    /// How it scans a surface in pieces; none where it does not, or not in this build.
+    /// How it scans a surface in pieces; none where it does not.
     pub fn scan(&self) -> Option<Scan> {
         self.simulation.as_ref()?.scan
     }

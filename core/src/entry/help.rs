@@ -2,7 +2,6 @@
 //! is true, and what follows from the rest of the entry: values that have to be given, alarms that can come.
 
 use super::{ProbeUse, When, names};
-use crate::SIMULATES;
 
 /// A section of a help page.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -92,9 +91,9 @@ pub struct Help {
 }
 
 impl Help {
-    /// The page's first module carries none of it: help comes behind the first form.
+    /// Help of these groups.
     pub const fn new(groups: &'static [&'static [HelpLine]]) -> Help {
-        if SIMULATES { Help { groups } } else { Help { groups: &[] } }
+        Help { groups }
     }
 
     /// All lines.

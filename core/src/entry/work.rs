@@ -1,8 +1,7 @@
-//! What an entry has for a build that simulates: the cycle at work, its picture, the part that it proposes.
+//! What an entry has to be carried out: the cycle at work, its picture, the part that it proposes.
 
 use super::stage::{Seen, Staging};
 use super::{Inputs, When};
-use crate::SIMULATES;
 use crate::control::Control;
 use crate::geometry::Wcs;
 use crate::machine::{Machine, Stop};
@@ -14,29 +13,25 @@ use crate::workpiece::{Solid, Workpiece};
 
 /// That a cycle is simulated.
 pub struct Simulation {
-    pub(super) work: Option<Work>,
+    pub(super) work: Work,
     pub(super) scan: Option<Scan>,
     tool: Option<fn(i64) -> ProposedTool>,
 }
 
 impl Simulation {
-    /// The only way to make one: no entry can forget that a build which does not simulate holds no [`Work`], so that
-    /// nothing of it is linked.
+    /// A part and a start for it, and what happens there.
     pub const fn new(propose: Propose, simulate: Simulate) -> Simulation {
-        let work = if SIMULATES { Some(Work { propose, simulate }) } else { None };
-        Simulation { work, scan: None, tool: None }
+        Simulation { work: Work { propose, simulate }, scan: None, tool: None }
     }
 
     /// With a scan of a surface, which can be done in pieces too.
     pub const fn with_scan(self, scan: Scan) -> Simulation {
-        let scan = if SIMULATES { Some(scan) } else { None };
-        Simulation { scan, ..self }
+        Simulation { scan: Some(scan), ..self }
     }
 
     /// With the tool that each sort of variant needs in use.
     pub const fn with_tool(self, tool: fn(i64) -> ProposedTool) -> Simulation {
-        let tool = if SIMULATES { Some(tool) } else { None };
-        Simulation { tool, ..self }
+        Simulation { tool: Some(tool), ..self }
     }
 
     /// The tool that a variant needs in use, on a machine that has none yet; none where any will do.
@@ -67,7 +62,7 @@ pub type Examples = &'static [(When, &'static [(Name, &'static str)])];
 
 /// How a cycle is drawn.
 pub struct Drawing {
-    how: Option<How>,
+    how: How,
 }
 
 /// How the figures of a picture come about.
@@ -87,26 +82,24 @@ pub struct Staged {
 }
 
 impl Drawing {
-    /// A build that does not simulate links no drawing either: the page's first module is the form alone.
+    /// A picture with figures of its own.
     pub const fn new(draw: fn(&Inputs) -> Picture) -> Drawing {
-        let how = if SIMULATES { Some(How::Own(draw)) } else { None };
-        Drawing { how }
+        Drawing { how: How::Own(draw) }
     }
 
     /// A picture that follows from the work of the cycle.
     pub const fn staged(stage: fn(&Inputs) -> Staging, marks: fn(&Inputs, &[Seen]) -> Vec<PictureShape>) -> Drawing {
-        let how = if SIMULATES { Some(How::Staged(Staged { stage, marks })) } else { None };
-        Drawing { how }
+        Drawing { how: How::Staged(Staged { stage, marks }) }
     }
 
-    /// How it is drawn; none in a build that does not draw.
-    pub fn how(&self) -> Option<&How> {
-        self.how.as_ref()
+    /// How it is drawn.
+    pub fn how(&self) -> &How {
+        &self.how
     }
 
     /// How its work is drawn; none where the figures are of its own.
     pub fn at_work(&self) -> Option<&Staged> {
-        match self.how()? {
+        match &self.how {
             How::Staged(staged) => Some(staged),
             How::Own(_) => None,
         }

@@ -19,7 +19,7 @@ fn in_planes() -> impl Iterator<Item = (Inputs, &'static Staged)> {
     let all = CYCLES.iter().flat_map(|cycle| cycle.variants.iter().map(move |variant| (*cycle, variant)));
     let all = all.flat_map(|each| [Plane::G17, Plane::G18, Plane::G19].map(|plane| (each, plane)));
     all.filter_map(|((cycle, variant), plane)| {
-        let Some(How::Staged(staged)) = cycle.picture.how() else { return None };
+        let How::Staged(staged) = cycle.picture.how() else { return None };
         let mut control = delivery(cycle.dialect);
         control.plane = plane;
         if cycle.purpose.machine == MachineSort::Turning {

@@ -1,6 +1,5 @@
 //! A solid of the part in the setup file: its shape by name and sizes, or a free surface.
 
-use crate::SIMULATES;
 use crate::geometry::{Degrees, Mcs, Rpy};
 use crate::refused::{Path, Refused};
 use crate::workpiece::free::{EXAMPLES, LARGEST};
@@ -178,7 +177,7 @@ impl From<&Solid> for SolidFile {
 /// As the setup file has it.
 impl Serialize for Solid {
     fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
-        if SIMULATES { SolidFile::from(self).serialize(to) } else { to.serialize_unit() }
+        SolidFile::from(self).serialize(to)
     }
 }
 

@@ -12,7 +12,6 @@ pub use values::{BITS, Before, Entered, MEAN_BIT, SPEEDS_BIT, decimal, restore};
 
 pub use crate::control::FORMS;
 
-use crate::SIMULATES;
 use crate::control::Control;
 use crate::dialect::Dialect;
 use crate::entry::{ArgumentList, Cycle, ProbeUse, Style};
@@ -44,10 +43,9 @@ pub struct Support {
 
 impl Support {
     /// What counts for a cycle on this machine: nothing where forms show everything, or the support has none for it.
-    /// The machine of a build that does not simulate is as delivered: there forms show everything.
     pub fn of(cycle: &Cycle, control: &Control) -> Option<Support> {
         let has_form = cycle.dialect == Dialect::Sinumerik && cycle.purpose.probe != ProbeUse::None;
-        (SIMULATES && has_form && control.bit(FORMS))
+        (has_form && control.bit(FORMS))
             .then(|| Support { entries: std::array::from_fn(|entry| control.bit(&name(entry))) })
     }
 

@@ -7,7 +7,7 @@ use super::tree::{Block, Program, SyntaxError, WordKind};
 use crate::control::definitions::Macros;
 use crate::diagnostic::Span;
 use crate::dialect::Dialect;
-use crate::{SIMULATES, own};
+use crate::own;
 use std::sync::Arc;
 
 /// What some editors write before the text of a file.
@@ -236,10 +236,9 @@ pub fn is_value(text: &str) -> bool {
     is_value_of(Dialect::Sinumerik, text) || is_value_of(Dialect::Nct, text)
 }
 
-/// Whether a text is one such value in this language. A build that does not simulate reads no programs: it takes it for
-/// one until a whole build says.
+/// Whether a text is one such value in this language.
 pub fn is_value_of(dialect: Dialect, text: &str) -> bool {
-    !SIMULATES || stands(dialect, if dialect == Dialect::Nct { "D" } else { "_X=" }, text)
+    stands(dialect, if dialect == Dialect::Nct { "D" } else { "_X=" }, text)
 }
 
 fn stands(dialect: Dialect, before: &str, text: &str) -> bool {

@@ -4,7 +4,6 @@ use super::expression::Strength;
 use super::reader::{Node, Parsed, Reader};
 use super::tree::{Operator, Program};
 use super::{nct, nct_expression, sinumerik, sinumerik_expression};
-use crate::SIMULATES;
 use crate::dialect::Dialect;
 
 /// What is peculiar to a language.
@@ -63,8 +62,8 @@ impl Grammar {
     /// Grammar of a language.
     pub fn of(dialect: Dialect) -> &'static Grammar {
         match dialect {
-            Dialect::Nct if SIMULATES => &NCT,
-            _ => &SINUMERIK, // a build that does not simulate has no other
+            Dialect::Nct => &NCT,
+            Dialect::Sinumerik => &SINUMERIK,
         }
     }
 }

@@ -1,12 +1,9 @@
-// The seam to the core: JSON functions of probewright-web, here with types. This module of it is all that the form
-// needs and is fetched first; what carries out cycles, reads and runs programs comes when the form stands (program.ts)
-// and answers about forms from then on.
+// What the form asks of the core. Until it has come (program.ts), the page answers a first visit with what the core
+// said while the page was built.
 
-import init, * as wasm from "@pkg/core/core.js";
-import address from "@pkg/core/core_bg.wasm?url";
-import whole from "@pkg/program/program_bg.wasm?url";
-import type { Catalogue, FormRequest, FormView } from "../wire";
-import { call, compile } from "./module";
+import { catalogue, form } from "answers:first";
+import type { Catalogue, CycleInfo, FormRequest, FormView } from "../wire";
+import { firstQuestion } from "./example";
 import type { SceneData } from "./scene";
 
 /** `scene`: what is to be seen of a call that was carried out, made when it is first asked for. */
@@ -15,22 +12,34 @@ export interface Formed extends FormView {
 }
 
 export interface FormCore {
-  /** Whether `predict` is answered and a setup that the user described is read; else whether that will come. */
+  /** Whether it is the core that answers; else whether that will come. */
   simulates: "yes" | "coming" | "no";
   form(request: FormRequest): Formed;
 }
 
-export interface Core extends FormCore {
-  catalogue(): Catalogue;
+/** What stands in for the core. */
+export interface FirstCore extends FormCore {
+  catalogue: Catalogue;
+  /** The same with what the measurement comes to, for which there are words once all of them have come. */
+  measured(): FormCore;
 }
 
-export async function loadCore(): Promise<Core> {
-  const module = await compile(address);
-  void compile(whole).catch(() => undefined); // it comes while the form is made; whoever needs it hears of a problem
-  await init({ module_or_path: module });
-  return {
+const { outcome: _, ...bare } = form;
+
+/** Of values that somebody has typed meanwhile nothing is said. */
+function unanswered({ values }: FormRequest): Formed {
+  const fields = bare.fields.map(field => ({ ...field, value: values[field.name] ?? "" }));
+  return { ...bare, fields, diagnostics: [], snippet: "", snippetPlaces: {}, complete: false, mvar: null };
+}
+
+const told = ({ control, cycle, values, errors }: FormRequest): string =>
+  JSON.stringify([control, cycle, Object.entries(values).sort(), errors]);
+
+export function firstCore(): FirstCore {
+  const known = catalogue.cycles.map((cycle: CycleInfo) => told(firstQuestion(cycle)));
+  const answered = (view: Formed): FormCore => ({
     simulates: "coming",
-    catalogue: () => JSON.parse(call("catalogue", () => wasm.catalogue())) as Catalogue,
-    form: request => JSON.parse(call("form", () => wasm.form(JSON.stringify(request)))) as FormView,
-  };
+    form: request => (known.includes(told(request)) ? view : unanswered(request)),
+  });
+  return { ...answered(bare), catalogue, measured: () => answered(form) };
 }

@@ -1,4 +1,4 @@
-// What both modules of the core need: fetching, compiling, and a problem that is told apart.
+// The core as a module: fetching, compiling, and a problem that is told apart.
 
 /** The core broke: a bug, never a wrong input. After it no call is safe. */
 export class Broken extends Error {}

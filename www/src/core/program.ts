@@ -1,8 +1,8 @@
 // All of the core: forms with what the call would do; reading, changing and running programs. Short programs are read
 // on the page's thread, what may take long is asked in a worker (aside.ts), with the same module.
 
-import init, * as wasm from "@pkg/program/program.js";
-import address from "@pkg/program/program_bg.wasm?url";
+import init, * as wasm from "@pkg/core/core.js";
+import address from "@pkg/core/core_bg.wasm?url";
 import type { Splice } from "../eol";
 import type {
   AlarmInfo,

@@ -1,6 +1,6 @@
 // The core on a thread of its own, for scenarios: first comes the compiled module, then questions, each with an answer.
 
-import { initSync, note, scenario } from "@pkg/program/program.js";
+import { initSync, note, scenario } from "@pkg/core/core.js";
 import type { Beside, NoteRequest } from "../wire";
 
 /** A scenario file with the files that it names, or a run of which one is made. */

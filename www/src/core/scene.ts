@@ -1,6 +1,6 @@
 // What the core says is to be seen: flat arrays, and what they hold (core/src/scene). Copied out of the module's
 // memory, which the next call into it may move; so they can also cross from a worker.
-import type { Scene as SceneSource } from "@pkg/program/program.js";
+import type { Scene as SceneSource } from "@pkg/core/core.js";
 import type { SceneView, Vec3 } from "../wire";
 import { type Path, pathOf } from "./levels";
 

@@ -1,6 +1,6 @@
 // The steps of what happened. Those of a run are columns: a million objects would hold the page for seconds, and a step
 // is made of them when it is looked at.
-import type { Steps as StepsSource } from "@pkg/program/program.js";
+import type { Steps as StepsSource } from "@pkg/core/core.js";
 import type { MotionKind, Step, Trace, Vec3 } from "../wire";
 
 /** What a step is (core/src/app/trace/columns.rs). The first four are the kinds of a motion. */

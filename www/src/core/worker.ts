@@ -1,7 +1,7 @@
 // The core on a thread of its own. First comes the compiled module, then questions; each gets one answer, before it how
 // much of a long program is done. A run goes in pieces, so that it hears between them that it should wait.
 
-import { initSync } from "@pkg/program/program.js";
+import { initSync } from "@pkg/core/core.js";
 import type { Told } from "./handed";
 import { answer, edit, type Held, hold, type Question, runInPieces, type Way } from "./program";
 import { buffersOf, type SceneData } from "./scene";

@@ -3,6 +3,7 @@
 import type { ProgramCore } from "../core/program";
 import type { Encoding } from "../encoding";
 import { lineBreak, type Splice } from "../eol";
+import { NO_ERRORS } from "../errors";
 import { speak } from "../language";
 import { type BesideFile, fileOf, openedNow, type ProgramFile } from "../state/files";
 import { stepped } from "../state/history";
@@ -14,7 +15,6 @@ import {
   type Card,
   firstState,
   memoryKey,
-  NO_ERRORS,
   NOBODY,
   ownMachine,
   type Panel,

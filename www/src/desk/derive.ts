@@ -185,7 +185,7 @@ export function createDerive(forms: () => FormCore, catalogue: Catalogue): (stat
       names = comments !== null ? labels(view) : names;
       if (alike(before, names)) return view;
       const { snippet, snippetPlaces } = core.form({ ...request, comments: names });
-      return { ...view, snippet, ...(snippetPlaces && { snippetPlaces }) };
+      return { ...view, snippet, snippetPlaces };
     },
   );
   const assume = memo(assumptions);

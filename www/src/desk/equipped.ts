@@ -2,17 +2,8 @@
 // a worker says what that is.
 
 import type { SupplyRequest } from "../core/program";
-import {
-  AT_END,
-  besideOf,
-  NO_ERRORS,
-  type Patch,
-  patched,
-  profile,
-  programMachine,
-  programOf,
-  type State,
-} from "../state/state";
+import { NO_ERRORS } from "../errors";
+import { AT_END, besideOf, type Patch, patched, profile, programMachine, programOf, type State } from "../state/state";
 import { t } from "../texts";
 import type { Catalogue, EquipView, ErrorSliders, Message, Setup } from "../wire";
 import { isOfNow } from "./program";

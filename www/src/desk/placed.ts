@@ -1,24 +1,15 @@
 // Whether the call in the form stands in the program just so, and where.
 
+import { lineAt } from "../eol";
 import { parseNumber, writtenAs } from "../numbers";
 import { programOf, type State } from "../state/state";
 import type { Derived } from "./derive";
 
-let last = { text: "", place: 0, line: 1 };
-
-/** Line of the last character before this place, from 1. A long program is counted once, however often it is drawn. */
+/** Line of the last character before this place, from 1. */
 function lineBefore(text: string, place: number): number {
-  if (last.place !== place || last.text !== text) last = { text, place, line: counted(text, place) };
-  return last.line;
-}
-
-function counted(text: string, place: number): number {
-  const { length } = text.slice(0, place).trimEnd();
-  let line = 1;
-  for (let at = text.indexOf("\n"); at >= 0 && at < length; at = text.indexOf("\n", at + 1)) line++;
-  for (let at = text.indexOf("\r"); at >= 0 && at < length; at = text.indexOf("\r", at + 1))
-    if (text.charCodeAt(at + 1) !== 10) line++; // a CR alone
-  return line;
+  let end = place;
+  while (end > 0 && text[end - 1]?.trim() === "") end--;
+  return lineAt(text, end);
 }
 
 const bare = (value: string | undefined): string => (value ?? "").trim().replace(/^"(.*)"$/, "$1");
@@ -50,6 +41,7 @@ export function placedIn(state: State, derived: Derived): number | null {
   const { sought } = state.desk;
   const text = programOf(state);
   if (sought && "to" in sought) return lineBefore(text, sought.to); // just inserted, and not read yet
-  if (open === null || isAhead(state, derived)) return null;
+  const answered = derived.simulates === "yes" || derived.view.snippet !== "";
+  if (open === null || !answered || isAhead(state, derived)) return null;
   return derived.opened?.lastLine ?? lineBefore(text, open + 1);
 }

@@ -1,7 +1,6 @@
 // Puts the parts together: one state, one draw.
 
 import { type Aside, createAside } from "../core/aside";
-import type { Core } from "../core/core";
 import { Broken } from "../core/module";
 import { createActions } from "../desk/actions";
 import { createDerive } from "../desk/derive";
@@ -51,9 +50,10 @@ function guard<A extends unknown[], R>(store: () => Store, run: (...args: A) => 
 }
 
 /** `stored`: what was kept the last time; `returned`: to a tab that has its own work already. */
-export async function startApp(core: Core, stored: Flat | null, returned: boolean): Promise<void> {
-  const catalogue = core.catalogue();
-  const modules = createModules(core, catalogue);
+export async function startApp(stored: Flat | null, returned: boolean): Promise<void> {
+  let answers = (): void => undefined; // before anything is drawn
+  const modules = createModules(() => answers());
+  const { catalogue } = modules;
   const calm = createCalm();
   void calm.comes.then(() => {
     void import("../styles/fonts.css").catch(console.error);
@@ -61,8 +61,8 @@ export async function startApp(core: Core, stored: Flat | null, returned: boolea
   });
   const packed = packedWork();
   const place = packed ? "work" : firstPlace(stored);
-  const example = !stored && !packed && place === "work"; // the first module knows all that is in it
-  const first = patched(await startState(core, modules.full, catalogue, stored, packed), { page: { place } });
+  const example = !stored && !packed && place === "work"; // what it needs of the catalogue is there
+  const first = patched(await startState(modules, stored, packed), { page: { place } });
   let draw = (): Rest | undefined => undefined;
   const guardedly = <R>(run: () => R): (() => R | undefined) => guard(() => store, run);
   const drawn = guardedly(() => {
@@ -76,12 +76,11 @@ export async function startApp(core: Core, stored: Flat | null, returned: boolea
     modules.goWithout();
     store.update({ page: { notice: "outcome-absent" } });
   };
-  const continuing = createTabs(store, !returned && !packed, work =>
-    startState(core, modules.full, catalogue, work, null),
-  );
+  const continuing = createTabs(store, !returned && !packed, work => startState(modules, work, null));
   const parts = { ...createParts(catalogue, store, modules, calm.comes, absent), continuing };
   draw = createDraw(parts, keep);
-  store.update({});
+  answers = () => store.update({});
+  answers();
   for (const leaving of ["focusin", "pointerdown", "drop"]) addEventListener(leaving, store.finish, true);
   await painted(); // the form stands
   setTimeout(calm.begin, PATIENCE);
@@ -114,7 +113,7 @@ function createCalm(): Calm {
   return { comes, begin };
 }
 
-/** All that a bench is made of; `calm`: then the larger parts of it may come; `absent`: the second module does not. */
+/** All that a bench is made of; `calm`: then the larger parts of it may come; `absent`: the core does not. */
 function createParts(
   catalogue: Catalogue,
   store: Store,

@@ -7,7 +7,7 @@ import "../styles/start.css";
 import "../styles/components.css";
 import { render } from "lit-html";
 import { changes } from "../changes";
-import { loadCore } from "../core/core";
+import { loadProgramCore } from "../core/program";
 import type { Actions } from "../desk/actions";
 import type { Derived } from "../desk/derive";
 import { el, setAttribute } from "../dom";
@@ -268,7 +268,7 @@ function wholes(): States {
 
 const theme = new URLSearchParams(location.search).get("theme");
 setAttribute(document.documentElement, "data-theme", theme ?? "light");
-const core = await loadCore();
+const core = await loadProgramCore();
 await speak("en");
 const [cycle] = core.catalogue().cycles;
 const form = cycle && core.form({ control: cycle.control, cycle: cycle.cycle, values: {} });

@@ -1,37 +1,27 @@
 // With what the page begins: what was kept the last time, what a link brings, or the first visit.
 
-import type { Core } from "../core/core";
+import { FIRST_ERRORS, firstCycle, firstQuestion } from "../core/example";
 import type { ProgramCore } from "../core/program";
 import { findCycle } from "../desk/derive";
 import { unpack } from "../link";
 import { markOf } from "../state/mark";
 import { withMark } from "../state/saved";
-import { firstState, NO_ERRORS, type Patch, patched, profile, remember, type State } from "../state/state";
+import { firstState, type Patch, patched, profile, remember, type State } from "../state/state";
 import { type Flat, merge } from "../state/stored";
-import type { Catalogue, CycleInfo, Setup } from "../wire";
-
-const FIRST_OVERSIZE = 0.03; // mm: the part of the first visit is this much too big
-
-/** What shows most of what there is: the simulated measurement of a workpiece with the most variants. */
-function firstCycle(catalogue: Catalogue): CycleInfo | undefined {
-  const measured = catalogue.cycles.filter(
-    ({ simulated, purpose }) => simulated && purpose.probe === "workpiece" && !purpose.calibrates,
-  );
-  return measured.sort((a, b) => b.variants.length - a.variants.length)[0] ?? catalogue.cycles[0];
-}
+import type { Catalogue, Setup } from "../wire";
+import type { Modules } from "./modules";
 
 /**
  * A worked measurement: the first cycle's example on a part that is a little too big, already written into the program.
  */
-function firstVisit(core: Core, catalogue: Catalogue): State {
+function firstVisit({ forms, catalogue }: Modules): State {
   const state = firstState();
   const cycle = firstCycle(catalogue);
   if (!cycle) return state;
-  const errors = { ...NO_ERRORS, part: { ...NO_ERRORS.part, size: FIRST_OVERSIZE } };
-  const { snippet } = core.form({ control: cycle.control, cycle: cycle.cycle, values: cycle.example, errors });
+  const { snippet } = forms.form(firstQuestion(cycle));
   return patched(state, {
     form: { control: cycle.control, cycle: cycle.cycle, values: cycle.example },
-    part: { errors },
+    part: { errors: FIRST_ERRORS },
     program: {
       texts: { [cycle.control]: snippet },
       ...withMark(state, cycle.control, undefined, markOf(snippet, "utf-8")).program,
@@ -48,21 +38,13 @@ export function packedWork(): string | null {
 }
 
 /** `stored`: what was kept; `packed`: what a link adds to it. It is nobody's work until it is changed. */
-export async function startState(
-  core: Core,
-  full: () => Promise<ProgramCore>,
-  catalogue: Catalogue,
-  stored: Flat | null,
-  packed: string | null,
-): Promise<State> {
-  let state = stored ? merge(firstState(), stored) : firstVisit(core, catalogue);
+export async function startState(modules: Modules, stored: Flat | null, packed: string | null): Promise<State> {
+  const { catalogue, full } = modules;
+  if (stored || packed) await full().catch(console.error);
+  let state = stored ? merge(firstState(), stored) : firstVisit(modules);
   if (packed) state = patched(withLink(state, await unpack(packed)), { page: { changed: 0 } });
-  const known = (): boolean => !!findCycle(catalogue, state.form.control, state.form.cycle);
-  if (!known()) await full().catch(console.error); // the first module knows the cycle of the first visit alone
-  if (!known()) state = patched(state, remember(state), pickFirst(catalogue));
-  const { data = {}, definitions = [] } = state.machine.own[state.form.control]?.own ?? {};
-  const given = Object.keys(data).length + definitions.length > 0;
-  if (given) await full().catch(console.error); // the first module has no data but those delivered
+  const known = findCycle(catalogue, state.form.control, state.form.cycle);
+  if (!known) state = patched(state, remember(state), pickFirst(catalogue));
   const setup = profile(state);
   if (!setup || setupFits(await full(), state, setup)) return state;
   const { [state.form.control]: _, ...setups } = state.machine.setups;

@@ -1,5 +1,6 @@
 import "../styles/main.css";
-import { loadCore } from "../core/core";
+import address from "@pkg/core/core_bg.wasm?url";
+import { compile } from "../core/module";
 import { speak } from "../language";
 import { load } from "../state/keep";
 import { firstState } from "../state/state";
@@ -9,9 +10,10 @@ import { startApp } from "./app";
 
 addEventListener("probewright-panic", event => showBroken(String((event as CustomEvent).detail)));
 try {
-  const [{ stored, returned }, core] = [await load(), loadCore()];
+  void compile(address).catch(() => undefined); // it comes while the form is made; whoever needs it hears of a problem
+  const { stored, returned } = await load();
   await speak(merge(firstState(), stored).page.language).catch(console.warn); // words that cannot be fetched: English
-  await startApp(await core, stored, returned);
+  await startApp(stored, returned);
 } catch (problem) {
   console.error(problem);
   showBroken(problem instanceof Error ? problem.message : String(problem));

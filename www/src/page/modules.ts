@@ -1,16 +1,18 @@
-// The two modules of the core: the page comes with that of the form, the one that knows everything follows.
+// The core, which comes while the page is shown, and what stands in for it until then.
 
-import type { Core, FormCore } from "../core/core";
+import { type FormCore, firstCore } from "../core/core";
 import type { ProgramCore } from "../core/program";
-import { laterWords } from "../texts";
+import { allWords, laterWords } from "../texts";
 import type { AlarmInfo, Catalogue } from "../wire";
 
 export interface Modules {
-  /** What answers about forms: the second one as soon as it is there. */
+  /** What answers about forms: the core as soon as it is there. */
   readonly forms: FormCore;
   readonly program: ProgramCore | null;
   readonly alarms: Promise<AlarmInfo[]>;
-  /** Fetches the second one, once; where that fails, whoever asks next tries again. The catalogue stays as it is. */
+  /** What can be measured; until the core is listed, by the first visit alone. */
+  readonly catalogue: Catalogue;
+  /** Fetches the core, once; where that fails, whoever asks next tries again. The catalogue stays as it is. */
   bring(): Promise<ProgramCore>;
   /** The same with its catalogue: to list all that it can takes as long as to measure. */
   full(): Promise<ProgramCore>;
@@ -18,21 +20,28 @@ export interface Modules {
   goWithout(): void;
 }
 
-/** `catalogue`: of the first one; it becomes that of the second. */
-export function createModules(core: Core, catalogue: Catalogue): Modules {
+/** `answers`: told when forms are answered with more than before, other than by a module that was waited for. */
+export function createModules(answers: () => void): Modules {
+  const first = firstCore();
+  const { catalogue } = first;
   let program: ProgramCore | null = null;
-  let forms: FormCore = core;
+  let forms: FormCore = first;
   let fetching: Promise<ProgramCore> | null = null;
   let came = (_: ProgramCore): void => undefined;
   const coming = new Promise<ProgramCore>(resolve => {
     came = resolve;
   });
   let listed = false;
+  const worded = async (): Promise<void> => {
+    if (allWords()) return;
+    await laterWords();
+    if (forms !== first) return;
+    forms = first.measured();
+    answers();
+  };
   const fetched = async (): Promise<ProgramCore> => {
-    const [part] = await Promise.all([
-      import("../core/program").then(module => module.loadProgramCore()),
-      laterWords(),
-    ]);
+    const core = import("../core/program").then(module => module.loadProgramCore());
+    const [part] = await Promise.all([core, worded()]);
     forms = program = part;
     return part;
   };
@@ -48,6 +57,7 @@ export function createModules(core: Core, catalogue: Catalogue): Modules {
     get program() {
       return program;
     },
+    catalogue,
     alarms: coming.then(part => part.alarms()),
     bring,
     async full() {
@@ -58,7 +68,7 @@ export function createModules(core: Core, catalogue: Catalogue): Modules {
       return part;
     },
     goWithout() {
-      forms = { ...core, simulates: "no" };
+      forms = { ...first, simulates: "no" };
     },
   };
 }

@@ -1,7 +1,7 @@
 // A scan on a thread of its own. First comes the compiled module, then what is to be scanned; the scan stays here, and
 // points and texts are asked for when somebody wants them. Only what was asked last is gone on with.
 
-import { initSync, Scan } from "@pkg/program/program.js";
+import { initSync, Scan } from "@pkg/core/core.js";
 import { buffersOf, type SceneData, takeScene } from "../core/scene";
 import type { Shown } from "../state/scanned";
 import type { ScanText } from "../wire";

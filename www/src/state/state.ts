@@ -6,6 +6,7 @@ import type { Practised } from "../core/program";
 import type { SceneData } from "../core/scene";
 import type { Course } from "../core/steps";
 import type { Splice } from "../eol";
+import { NO_ERRORS } from "../errors";
 import type { Theme } from "../theme";
 import type {
   BasicSystem,
@@ -336,11 +337,6 @@ export function patched(state: State, ...patches: Patch[]): State {
     for (const group of Object.keys(patch) as (keyof State)[]) patchGroup(next, group, patch[group]);
   return next;
 }
-
-export const NO_ERRORS: ErrorSliders = {
-  part: { dx: 0, dy: 0, dz: 0, size: 0, tilt: 0, taper: 0, outOfRound: 0 },
-  probe: { skewX: 0, skewY: 0, radius: 0, preTravel: 0, repeatability: 0 },
-};
 
 /** A part as the setup has it. */
 export const AS_SET_UP: PartSliders = NO_ERRORS.part;

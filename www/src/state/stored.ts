@@ -3,9 +3,10 @@
 
 import type { Pending } from "../core/pending";
 import { ENCODINGS } from "../encoding";
+import { NO_ERRORS } from "../errors";
 import type { Plane, Setup, Style, Transverse, UnitFunction } from "../wire";
 import type { BesideFile, ProgramFile } from "./files";
-import { firstState, NO_ERRORS, type Patch, PLANES, patched, SHEETS, type State, UNITS } from "./state";
+import { firstState, type Patch, PLANES, patched, SHEETS, type State, UNITS } from "./state";
 
 /** A kept field: where it stands, and what of a stored value has the right shape; undefined: nothing, it stays. */
 interface Field<G extends keyof State, F extends keyof State[G]> {

@@ -56,7 +56,7 @@ export function createExplain(): Explain {
       if (!field) return;
       setText(named, say(field.label));
       setText(code, field.name);
-      const source = field.source && t("field-source", { source: field.source }); // the first module knows none
+      const source = field.source && t("field-source", { source: field.source });
       setText(told, `${say(field.help)} ${needText(field)} ${source}`.trimEnd());
     },
   };

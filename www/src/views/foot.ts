@@ -53,7 +53,7 @@ export function createFoot(
     root,
     draw(state, derived) {
       snippet = derived.view.snippet;
-      drawCall(inOneLine(piecesOf(snippet, derived.view.snippetPlaces ?? {}), derived.cycle.control));
+      drawCall(inOneLine(piecesOf(snippet, derived.view.snippetPlaces), derived.cycle.control));
       const name = inFocus(state);
       if (name !== lit) bringInSight(call, name);
       lit = name;

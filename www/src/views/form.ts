@@ -243,7 +243,7 @@ export function createForm(
     if (view.picture) drawPicture(view.picture, inFocus(state), state.form.values);
     renderCount(count, state, view);
     if (comments.checked !== state.snippet.comments) comments.checked = state.snippet.comments;
-    drawSnippet(piecesOf(view.snippet, view.snippetPlaces ?? {}));
+    drawSnippet(piecesOf(view.snippet, view.snippetPlaces));
     setAttribute(snippet, "data-style", derived.style);
     show(snippet, view.snippet !== "");
     foot.draw(state, derived);

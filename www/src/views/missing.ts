@@ -7,7 +7,7 @@ import { listed, t } from "../texts";
 export function missing(derived: Derived): string {
   if (!derived.cycle.simulated) return t("outcome-not-simulated", { cycle: derived.cycle.cycle });
   if (derived.simulates === "no") return t("outcome-absent");
-  if (derived.simulates === "coming" && derived.view.complete) return t("outcome-coming");
+  if (derived.simulates === "coming") return t("outcome-coming");
   if (derived.opened?.style === "operate" && derived.view.complete && !derived.view.unknown?.length)
     return t("outcome-newer");
   const names = new Set(

@@ -3,8 +3,9 @@
 import type { Actions } from "../desk/actions";
 import type { Derived } from "../desk/derive";
 import { el, on, setAttribute, setText, show } from "../dom";
+import { NO_ERRORS } from "../errors";
 import { parseNumber, plain } from "../numbers";
-import { NO_ERRORS, planeOf, type State } from "../state/state";
+import { planeOf, type State } from "../state/state";
 import type { Store } from "../state/store";
 import { t } from "../texts";
 import type { ErrorSliders, Outcome, Purpose, Solid } from "../wire";

@@ -59,7 +59,7 @@ pub const SPEEDS_IN_FORM: &str = "_MZ_MASK[7]";
 
 /// Speed of one probing, 1/min; 0 ends the probings (B:13515-13520).
 const fn speed(name: Name, key: &'static str, source: &'static str) -> Param {
-    Param { name, key, range: Range::NOT_NEGATIVE, needs: OWN_SPEEDS, source: crate::cited(source), ..common::PARAM }
+    Param { name, key, range: Range::NOT_NEGATIVE, needs: OWN_SPEEDS, source, ..common::PARAM }
 }
 
 /// Feed of one probing.

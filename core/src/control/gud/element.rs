@@ -1,7 +1,6 @@
 //! What one element of a datum means, or a row of them.
 
 use crate::range::Range;
-use crate::whole;
 
 /// Where the system of units of a length comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -96,7 +95,7 @@ pub(in crate::control) const fn element(index: &'static str, source: &'static st
         range: Range::ANY,
         choices: &[],
         internal: false,
-        source: crate::cited(source),
+        source,
     }
 }
 
@@ -148,19 +147,19 @@ impl Element {
     }
 
     pub(in crate::control) const fn between(self, min: f64, max: f64) -> Element {
-        whole(Element { range: Range::closed(min, max), ..self }, self)
+        Element { range: Range::closed(min, max), ..self }
     }
 
     pub(in crate::control) const fn positive(self) -> Element {
-        whole(Element { range: Range::POSITIVE, ..self }, self)
+        Element { range: Range::POSITIVE, ..self }
     }
 
     pub(super) const fn not_negative(self) -> Element {
-        whole(Element { range: Range::NOT_NEGATIVE, ..self }, self)
+        Element { range: Range::NOT_NEGATIVE, ..self }
     }
 
     pub(super) const fn choices(self, choices: &'static [i64]) -> Element {
-        whole(Element { choices, ..self }, self)
+        Element { choices, ..self }
     }
 
     pub(in crate::control) const fn switch(self) -> Element {
@@ -168,7 +167,7 @@ impl Element {
     }
 
     pub(super) const fn internal(self) -> Element {
-        whole(Element { internal: true, ..self }, self)
+        Element { internal: true, ..self }
     }
 
     pub(super) fn indices(&self) -> impl Iterator<Item = Index> {

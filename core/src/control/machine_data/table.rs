@@ -1,13 +1,12 @@
 //! The table of machine data.
 
 use super::{CHANNEL_AXES, MachineDatum, TOOL_LENGTH_TYPE};
-use crate::{cited, whole};
 
 /// A datum of which the manual prints name and place.
 const fn named(number: &'static str, identifier: &'static str, source: &'static str) -> MachineDatum {
     MachineDatum {
         number,
-        identifier: whole(identifier, ""),
+        identifier,
         standard: ["", ""],
         cycles: "",
         jog: "",
@@ -18,7 +17,7 @@ const fn named(number: &'static str, identifier: &'static str, source: &'static 
         text: false,
         initial: &[],
         initial_names: &[],
-        source: cited(source),
+        source,
     }
 }
 
@@ -31,17 +30,17 @@ const fn printed(
     bounds: [&'static str; 2],
     source: &'static str,
 ) -> MachineDatum {
-    let plain = named(number, identifier, source);
-    whole(MachineDatum { standard, cycles, jog, bounds, effective: "POWER ON", ..plain }, plain)
+    let named = named(number, identifier, source);
+    MachineDatum { standard, cycles, jog, bounds, effective: "POWER ON", ..named }
 }
 
 impl MachineDatum {
     const fn after_reset(self) -> MachineDatum {
-        whole(MachineDatum { effective: "RESET", ..self }, self)
+        MachineDatum { effective: "RESET", ..self }
     }
 
     const fn unit(self, unit: &'static str) -> MachineDatum {
-        whole(MachineDatum { unit, ..self }, self)
+        MachineDatum { unit, ..self }
     }
 
     const fn elements(self, elements: usize) -> MachineDatum {

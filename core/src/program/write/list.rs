@@ -61,8 +61,7 @@ fn open_variant<'a>(source: &'a Source) -> Option<&'a str> {
 
 /// A value that means something else in the list of newer controls.
 fn foreign(source: &Source, list: &ArgumentList) -> Option<Diagnostic> {
-    let mut values = Typed::new(); // `collect` would bring a sort of its own into the page's first module
-    values.extend(source.values.iter().map(|(param, text)| (param.name.to_string(), text.clone())));
+    let values: Typed = source.values.iter().map(|(param, text)| (param.name.to_string(), text.clone())).collect();
     let foreign = newer::foreign(source.cycle, list, &values, source.control);
     let name = foreign.into_iter().find(|name| values.contains_key(name.as_str()))?;
     Some(own::WRITE_NEWER.finding().text("param", name).text("value", values.get(name.as_str())?.as_str()).at(name))

@@ -218,7 +218,7 @@ fn shown(element: Element) -> Option<(Inputs, Aim)> {
 
 /// What is seen of the worked measurement.
 fn sight(inputs: &Inputs) -> Sight {
-    let Some(How::Staged(staged)) = inputs.cycle.picture.how() else { return flat(inputs) };
+    let How::Staged(staged) = inputs.cycle.picture.how() else { return flat(inputs) };
     let all: Vec<Performed> = tasks(inputs, staged).iter().map(Performed::of).collect();
     let Some(done) = all.first() else { return Sight::default() };
     let mut sight = Sight::of(done.axes);
@@ -286,7 +286,7 @@ fn placed(solid: &Solid) -> Mesh {
 /// The figures of a help picture on a plate, of a cycle that touches nothing.
 fn flat(inputs: &Inputs) -> Sight {
     let mut sight = Sight::of([V3::x(), V3::y(), V3::z()]);
-    let Some(How::Own(draw)) = inputs.cycle.picture.how() else { return sight };
+    let How::Own(draw) = inputs.cycle.picture.how() else { return sight };
     let drawn = |shape: &PictureShape| !matches!(shape.kind, ShapeKind::Dimension | ShapeKind::Axis);
     let shapes: Vec<PictureShape> = draw(inputs).shapes.into_iter().filter(drawn).collect();
     let [low, high] = extent(&shapes);

@@ -1,6 +1,6 @@
 // Page for the browser test: shows a fixed scene and says which way of drawing came.
 // ?scene=shapes: every shape. ?theme=dark. The test reads `window.preview` and `window.picked`.
-import init, * as program from "@pkg/program/program.js";
+import init, * as program from "@pkg/core/core.js";
 import { createPreview, DARK, LIGHT, type Preview } from "../view";
 import { hole, shapes } from "./scenes";
 

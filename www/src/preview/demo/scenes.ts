@@ -1,6 +1,6 @@
 // Scenes for tests, made by the core: a hole of 40 mm that a program measures in four directions with a ball of 6 mm,
 // and one part of every shape.
-import type * as Program from "@pkg/program/program.js";
+import type * as Program from "@pkg/core/core.js";
 import { type SceneData, takeScene } from "../../core/scene";
 import type { Solid, Vec3 } from "../../wire";
 
