@@ -7,6 +7,7 @@ import { gzipSync } from "node:zlib";
 import { launch, open } from "./browser.mjs";
 import { large } from "./large.mjs";
 import { outside } from "./outside.mjs";
+import { practising } from "./practising.mjs";
 import { searchTasks } from "./start.mjs";
 
 const row = (name, cells) => console.log(name.padEnd(50), ...cells.map(cell => String(cell).padStart(11)));
@@ -478,6 +479,7 @@ try {
   await programModule(page);
   row("ms, in Chromium", ["50 %", "95 %", "99 %", "goal", "ratio"]);
   await cycles(page);
+  await practising(browser, page, report);
   await keystrokes(browser, page);
   await reading(page);
   await running(page);

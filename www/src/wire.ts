@@ -1046,6 +1046,16 @@ export type JogAhead = {
   changes: Array<Change>,
   /** Whether the activation screen would come up. */
   activates: boolean,
+  /** What is known although nobody is to know yet how the part lies: there are no touches, results and changes then. */
+  hidden?: JogHidden,
+};
+
+/** What the call alone tells of a result. */
+export type JogHidden = {
+  /** What would be shown. */
+  shows: Array<Message>,
+  /** The zero offset that would be corrected. */
+  corrects?: string,
 };
 
 /** A point that was stored. */
@@ -1546,6 +1556,8 @@ export type PracticeMachine = {
   active: string,
   /** Letters of the axes of the plane in which is measured. */
   axes: [string, string],
+  /** Versions of the measuring cycles by which the masks are: from SW 6.3, up to SW 6.2. */
+  versions: Array<PracticeUse>,
   /** Planes in which can be measured. */
   planes: Array<PracticeUse>,
   /** Zero offsets that can be in use while measuring. */
@@ -1581,6 +1593,10 @@ export type PracticePoint = {
   name: string,
   /** What is stored; absent: the softkey is grey. */
   stored?: JogPoint,
+  /** Whether it was touched and waits to be stored. */
+  waits: boolean,
+  /** The line of a script that presses it. */
+  line: string,
 };
 
 /** What the mask that is open means as a program. */
@@ -1619,6 +1635,8 @@ export type PracticeRequest = {
   seed?: number,
   /** How the part lies: displacement, size and tilt; absent: as in the setup. */
   part?: PartSliders,
+  /** Nobody is to know yet how the part lies: what the next key would do is told as far as the call says it. */
+  hides: boolean,
 };
 
 /** A line of the left part. */

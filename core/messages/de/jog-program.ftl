@@ -7,7 +7,6 @@ jog-differs-up = Zwischen den Punkten hebt der Messtaster um { NUMBER($path) } 
 jog-differs-fourth = Der Zyklus braucht einen vierten Punkt: auf halbem Weg von P3 zur Ecke.
 jog-differs-around = Der Zyklus fährt auf Messhöhe um den Zapfen. In JOG fährt der Messtaster darüber.
 jog-differs-angle = Der Zyklus misst Winkel bis 45°; darüber kommt 61331.
-jog-differs-level = Der Zyklus richtet die Ebene mit der kleinsten Drehung aus. JOG dreht um beide Achsen der Ebene und nicht um die Zustellachse.
 jog-differs-skew = JOG stellt die Kugel, nicht die Spindelachse, vor den Punkt. An einer schrägen Kante tastet der Zyklus um die Lageabweichung des Messtasters daneben an.
 jog-differs-spindle = In JOG folgt die Spindel einem gedrehten WKS nach E_MESS_SETT[0], im Zyklus nach _CHBIT[13]. Beide sind verschieden eingestellt.
 jog-differs-corner-zero = Der Zyklus macht die Ecke zum Nullpunkt beider Achsen. Die Sollpositionen der Maske haben darin keinen Platz.

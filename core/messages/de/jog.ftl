@@ -21,6 +21,12 @@ jog-mask-cal-radius = Messtaster abgleichen, Radius
 jog-mask-tool-cal = Werkzeugmesstaster kalibrieren
 jog-mask-tool-length = Werkzeug messen, Länge
 jog-mask-tool-radius = Werkzeug messen, Radius
+jog-mask-old-edge = Kante (bis SW 6.2)
+jog-mask-old-corner = Ecke (bis SW 6.2)
+jog-mask-old-hole = Bohrung (bis SW 6.2)
+jog-mask-old-spigot = Kreiszapfen (bis SW 6.2)
+jog-mask-old-cal-length = Messtaster abgleichen, Länge (bis SW 6.2)
+jog-mask-old-cal-radius = Messtaster abgleichen, Radius (bis SW 6.2)
 
 jog-field-zo = Nullpunktverschiebung
 jog-field-direction = Messrichtung
@@ -46,6 +52,8 @@ jog-field-set-p1 = P1 setzen
 jog-field-cal-kind = Kalibrieren
 jog-field-v = Versatz V
 jog-field-activate = Diese Nullpunktverschiebung aktivieren?
+jog-field-orient = Messtaster senkrecht zur Ebene stellen?
+jog-field-retract = Freifahren
 jog-field-position-axis = Rundachse positionieren?
 
 jog-result-meas-x0 = Gemessen { $axis }0
@@ -58,6 +66,8 @@ jog-result-beta = Winkel β
 
 jog-line-inactive = { $offset } wurde korrigiert, ist aber nicht aktiv.
 jog-line-tilted = Das neue WKS hat eine neue Ausrichtung.
+jog-line-swivels = Der Tisch schwenkt mit NC-Start.
+jog-line-no-swivel = Keine Rundachsen dieser Maschine können den Messtaster senkrecht zur Ebene stellen. Mit TRAORI oder von Hand ist er vor der nächsten Messung auszurichten.
 jog-line-turned = Das Werkstück ist um die Werkzeugachse gedreht. Beim Verfahren im WKS beachten.
 jog-line-rotary = Die NV der Rundachse { $axis } wurde korrigiert. Das Werkstück ist ausgerichtet, sobald die Achse verfahren ist.
 jog-line-start = Zum Aktivieren NC-Start drücken.
@@ -78,6 +88,10 @@ jog-no-mask = Keine Maske ist offen. Zuerst eine öffnen, zum Beispiel mit „ma
 jog-all-stored = Alle Punkte sind gespeichert. Berechnen drücken oder einen Punkt verwerfen und neu messen.
 jog-missing = Es fehlen Punkte: { $points }. Zuerst mit NC-Start messen.
 jog-at-once = Diese Maske misst und rechnet mit NC-Start allein. NC-Start drücken.
+jog-older-order = Bis SW 6.2 werden die Punkte der Reihe nach gespeichert: { $point } mit NC-Start antasten, dann speichern.
+jog-older-reject = Bis SW 6.2 lässt sich kein gespeicherter Punkt verwerfen. Maske mit << verlassen und neu beginnen.
+jog-older-g500 = Mit _JM_B[4]=1 wird der Basisbezug nur korrigiert, während G500 aktiv ist. G500 als NV beim Messen wählen.
+jog-stores-itself = Diese Maske speichert jeden Punkt von selbst. NC-Start drücken.
 jog-grey = { $point } ist nicht gespeichert und lässt sich nicht verwerfen.
 jog-nothing-to-activate = Es gibt nichts zu aktivieren. Die NV ist schon aktiv, oder es wurde nichts korrigiert.
 jog-no-jog = Diese Steuerung hat kein Messen in JOG. Die Einrichtung einer SINUMERIK verwenden.
@@ -153,6 +167,9 @@ jog-ahead-show = { $label } = { $value } anzeigen
 jog-ahead-activates = fragen, ob die Nullpunktverschiebung aktiviert werden soll
 jog-ahead-nothing = weder Nullpunktverschiebung noch Werkzeugdaten schreiben
 jog-ahead-none = NC-Start und Berechnen würden jetzt nichts messen.
+jog-ahead-shown = { $label } anzeigen
+jog-ahead-corrects = { $offset } korrigieren
+jog-ahead-hidden = Antastpunkte und Werte bleiben verborgen, bis die Lage des Werkstücks gezeigt wird.
 
 jog-face-below = Diese Fläche ist von oben nicht erreichbar. Eine Fläche wählen, die der Messtaster sieht.
 jog-face-nothing = Hier ist keine Fläche des Werkstücks. Auf das Werkstück zeigen.
@@ -228,8 +245,14 @@ jog-help-centres-4-wrong = Die Diagonalen sind parallel, weil die Reihenfolge de
 jog-help-align-plane-measures = Die Neigung einer Fläche: ihre Winkel um beide Achsen der Arbeitsebene.
 jog-help-align-plane-before = P1, P2, P3: über der Fläche, weit auseinander und nicht auf einer Geraden.
 jog-help-align-plane-corrects = Drehung um beide Achsen der Ebene: Die Zustellachse steht danach senkrecht auf der Fläche. Die Verschiebung bleibt.
+jog-help-align-plane-orient = An einer Maschine mit Schwenktisch bietet das Aktivierungsbild an, den Messtaster senkrecht zur Ebene zu stellen: freifahren, aktivieren, schwenken wie CYCLE800. Das WKS bleibt am Werkstück.
 jog-help-align-plane-wrong = Die drei Punkte liegen auf einer Geraden: Es gibt keine Ebene. Einen verwerfen und anderswo messen.
 jog-help-align-plane-wrong-orientation = Nach der Korrektur steht der Messtaster schräg zum neuen WKS: vor der nächsten Messung ausrichten.
+jog-help-older-corner-before = Die Ecke ist eine Außenecke. Ihre Position (1 bis 4, gegen den Uhrzeigersinn ab links unten) bestimmt die Messrichtungen.
+jog-help-older-corner-order = NC-Start tastet an, „P1 speichern“ speichert den Punkt; dann P2 bis P4, in dieser Reihenfolge. Ab P3 gibt es Berechnen: Für ein rechtwinkliges Werkstück genügen drei Punkte.
+jog-help-older-corner-wrong = Ein gespeicherter Punkt ist falsch: Er lässt sich nicht verwerfen. Maske mit << verlassen und neu beginnen.
+jog-help-older-basic = Der Basisframe in der Liste ist der letzte kanalspezifische Basisframe, richtig, sobald G500 aktiv ist. Mit _JM_B[4]=1 ist es der Basisbezug $P_SETFR, und beim Messen muss G500 aktiv sein.
+jog-help-older-active = Es gibt kein Aktivierungsbild: Eine NV, die beim Messen nicht aktiv war, wirkt, sobald sie das nächste Mal aktiviert wird.
 jog-help-cal-length-measures = Die Länge L1 des Messtasters und sein Triggerpunkt in der Zustellachse, an einer Fläche bekannter Höhe.
 jog-help-cal-length-before = Der Messtaster steht über der Fläche, D-Nummer aktiv; Länge (ungefähr) und Kugelradius stehen in den Werkzeugdaten. Die Höhe in der Maske gilt im WKS, das beim Messen aktiv ist.
 jog-help-cal-length-corrects = L1 des Werkzeugs in der Spindel und der Triggerpunkt in _WP. Keine Nullpunktverschiebung.

@@ -9,6 +9,8 @@ report-jog = Messen in JOG
 report-jog-intro = Die Masken des Messens in JOG: was jede misst, wo der Messtaster vor NC-Start steht, was geschrieben wird, und ihre Felder mit den Namen für ein Skript von `probewright jog`. Die Achsen sind die von G17.
 report-jog-mask = Im Skript: { $mask }. Quelle: { $source }.
 report-jog-results = Ergebnisse: { $names }.
+report-jog-older = Bis Messzyklen SW 6.2
+report-jog-older-intro = Diese Masken gibt es mit `PW-JOG` = 1 in den Maschinendaten, statt der obigen außer Werkzeug messen.
 report-machine = Maschinendaten
 report-machine-intro = SINUMERIK: Anwendervariablen der Datenbausteine GUD5, GUD6 und GUD7 und die Maschinendaten, von denen die Messzyklen abhängen. NCT, am Ende: Variablen und Parameter der Messmakros. Erzeugt aus den Tabellen in `core/src/control`; nicht bearbeiten.
 report-own-setting = keiner: eine Einstellung von Probewright

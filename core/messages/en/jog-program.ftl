@@ -7,7 +7,6 @@ jog-differs-up = Between the points the probe rises by { NUMBER($path) } mm (_I
 jog-differs-fourth = The cycle needs a fourth point: half way from P3 to the corner.
 jog-differs-around = The cycle goes around the spigot at measuring height. In JOG the probe goes over it.
 jog-differs-angle = The cycle measures angles up to 45°; beyond that it raises 61331.
-jog-differs-level = The cycle levels the plane by the smallest turn. JOG turns about both axes of the plane and not about the infeed axis.
 jog-differs-skew = JOG puts the ball, not the spindle axis, opposite the point. On an edge at an angle the cycle touches off by the skew of the probe.
 jog-differs-spindle = In JOG the spindle follows a rotated WCS as E_MESS_SETT[0] says, in the cycle as _CHBIT[13] says. They are set differently.
 jog-differs-corner-zero = The cycle makes the corner zero of both axes. The set positions of the mask have no place in it.

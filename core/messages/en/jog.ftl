@@ -21,6 +21,12 @@ jog-mask-cal-radius = Calibrate probe, radius
 jog-mask-tool-cal = Calibrate tool probe
 jog-mask-tool-length = Measure tool, length
 jog-mask-tool-radius = Measure tool, radius
+jog-mask-old-edge = Edge (up to SW 6.2)
+jog-mask-old-corner = Corner (up to SW 6.2)
+jog-mask-old-hole = Hole (up to SW 6.2)
+jog-mask-old-spigot = Spigot (up to SW 6.2)
+jog-mask-old-cal-length = Calibrate probe, length (up to SW 6.2)
+jog-mask-old-cal-radius = Calibrate probe, radius (up to SW 6.2)
 
 jog-field-zo = Zero offset
 jog-field-direction = Measuring direction
@@ -46,6 +52,8 @@ jog-field-set-p1 = Set P1
 jog-field-cal-kind = Calibrate
 jog-field-v = Offset V
 jog-field-activate = Activate this zero offset?
+jog-field-orient = Set the probe perpendicular to the plane?
+jog-field-retract = Retract
 jog-field-position-axis = Position the rotary axis?
 
 jog-result-meas-x0 = Measured { $axis }0
@@ -58,6 +66,8 @@ jog-result-beta = Angle β
 
 jog-line-inactive = { $offset } was corrected, but it is not active.
 jog-line-tilted = The new WCS has a new orientation.
+jog-line-swivels = The table swivels when you press NC start.
+jog-line-no-swivel = No rotary axes of this machine can set the probe perpendicular to the plane. With TRAORI or by hand it has to be oriented before you measure again.
 jog-line-turned = The workpiece is rotated about the tool axis. Take care when you move in the WCS.
 jog-line-rotary = The zero offset of rotary axis { $axis } was corrected. The part is aligned once the axis has moved.
 jog-line-start = Press NC start to activate.
@@ -78,6 +88,10 @@ jog-no-mask = No mask is open. Open one first, for example with “mask set_edge
 jog-all-stored = All points are stored. Press Calculate, or reject a point to measure it again.
 jog-missing = Points are missing: { $points }. Measure them with NC start first.
 jog-at-once = This mask measures and calculates with NC start alone. Press NC start.
+jog-older-order = Up to SW 6.2 the points are stored one after the other: touch { $point } with NC start, then store it.
+jog-older-reject = Up to SW 6.2 no stored point can be rejected. Leave the mask with << and begin again.
+jog-older-g500 = With _JM_B[4]=1 the basic reference is corrected only while G500 is active. Select G500 as zero offset while measuring.
+jog-stores-itself = This mask stores each point by itself. Press NC start.
 jog-grey = { $point } is not stored, so it cannot be rejected.
 jog-nothing-to-activate = There is nothing to activate. The zero offset is active already, or nothing was corrected.
 jog-no-jog = This control has no measuring in JOG. Use a setup of a SINUMERIK control.
@@ -153,6 +167,9 @@ jog-ahead-show = show { $label } = { $value }
 jog-ahead-activates = ask whether to activate the zero offset
 jog-ahead-nothing = write no zero offset and no tool data
 jog-ahead-none = There is nothing that NC start or Calculate would measure now.
+jog-ahead-shown = show { $label }
+jog-ahead-corrects = correct { $offset }
+jog-ahead-hidden = The touches and values stay hidden until you show where the part is.
 
 jog-face-below = This face cannot be reached from above. Choose a face that is visible to the probe.
 jog-face-nothing = There is no face of the part. Point at the part.
@@ -228,8 +245,14 @@ jog-help-centres-4-wrong = The diagonals are parallel, because the order of the 
 jog-help-align-plane-measures = The inclination of a plane: its angles about both axes of the plane in which is measured.
 jog-help-align-plane-before = P1, P2, P3: above the surface, far apart and not collinear.
 jog-help-align-plane-corrects = Rotation about both axes of the plane: the infeed axis becomes perpendicular to the surface. The translation is unchanged.
+jog-help-align-plane-orient = On a machine with a swivel table the activation screen offers to set the probe perpendicular to the plane: retract, activate, swivel as CYCLE800 does. The WCS stays on the part.
 jog-help-align-plane-wrong = The three points are collinear: there is no plane. Reject one and measure it elsewhere.
 jog-help-align-plane-wrong-orientation = After the correction the probe is inclined to the new WCS: orient it before you measure again.
+jog-help-older-corner-before = The corner is an outside one. Its position (1 to 4, counter-clockwise from the lower left) determines the measuring directions.
+jog-help-older-corner-order = NC start touches, “Store P1” stores the point; then P2 to P4, in this order. Calculate is there from P3 on: for a right-angled part three points are enough.
+jog-help-older-corner-wrong = A stored point is wrong: it cannot be rejected. Leave the mask with << and begin again.
+jog-help-older-basic = The basic frame in the list is the last channel basic frame, correct as soon as G500 is active. With _JM_B[4]=1 it is the basic reference $P_SETFR, and G500 must be active while measuring.
+jog-help-older-active = There is no activation screen: a zero offset that was not active while measuring takes effect when it is activated next.
 jog-help-cal-length-measures = The length L1 of the probe and its trigger point in the infeed axis, on a surface of known height.
 jog-help-cal-length-before = The probe is above the surface, D number active; approximate length and ball radius are in the tool data. The height in the mask is in the WCS active while measuring.
 jog-help-cal-length-corrects = L1 of the tool in the spindle, and the trigger point in _WP. No zero offset.

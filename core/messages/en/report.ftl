@@ -9,6 +9,8 @@ report-jog = Measuring in JOG
 report-jog-intro = The masks of measuring in JOG: what each measures, where the probe is before NC start, what is written, and its fields with the names that a script of `probewright jog` uses. Axes are those of G17.
 report-jog-mask = In a script: { $mask }. Source: { $source }.
 report-jog-results = Results: { $names }.
+report-jog-older = Up to measuring cycles SW 6.2
+report-jog-older-intro = These masks are there with `PW-JOG` = 1 in the machine data, instead of those above but for Measure tool.
 report-machine = Machine data
 report-machine-intro = SINUMERIK: user data of the blocks GUD5, GUD6 and GUD7 and the machine data that measuring cycles depend on. NCT, at the end: variables and parameters of the probing macros. Generated from the tables in `core/src/control`; do not edit.
 report-own-setting = none: a setting of Probewright

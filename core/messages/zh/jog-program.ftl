@@ -7,7 +7,6 @@ jog-differs-up = 测头在各点之间抬起 { NUMBER($path) } mm（_ID）。JO
 jog-differs-fourth = 循环需要第四点：位于 P3 与拐角之间的中点。
 jog-differs-around = 循环在测量高度绕凸台移动。在 JOG 中测头从上方越过。
 jog-differs-angle = 循环最多测量 45° 的角度，超过则报警 61331。
-jog-differs-level = 循环以最小旋转找正平面。JOG 绕平面的两个轴旋转，不绕进给轴旋转。
 jog-differs-skew = JOG 使测球而不是主轴轴线对准测量点。在倾斜的棱边上，循环的触测点会偏移测头的偏斜量。
 jog-differs-spindle = 主轴是否跟随旋转的 WCS，在 JOG 中由 E_MESS_SETT[0] 决定，在循环中由 _CHBIT[13] 决定。两者设置不同。
 jog-differs-corner-zero = 循环将拐角作为两个轴的零点。画面中的设定位置在循环中没有对应参数。

@@ -21,6 +21,12 @@ jog-mask-cal-radius = 校准测头：半径
 jog-mask-tool-cal = 校准刀具测头
 jog-mask-tool-length = 测量刀具：长度
 jog-mask-tool-radius = 测量刀具：半径
+jog-mask-old-edge = 棱边（至 SW 6.2）
+jog-mask-old-corner = 拐角（至 SW 6.2）
+jog-mask-old-hole = 孔（至 SW 6.2）
+jog-mask-old-spigot = 圆凸台（至 SW 6.2）
+jog-mask-old-cal-length = 校准测头：长度（至 SW 6.2）
+jog-mask-old-cal-radius = 校准测头：半径（至 SW 6.2）
 
 jog-field-zo = 零点偏移
 jog-field-direction = 测量方向
@@ -46,6 +52,8 @@ jog-field-set-p1 = 设定 P1
 jog-field-cal-kind = 校准内容
 jog-field-v = 偏移量 V
 jog-field-activate = 激活此零点偏移？
+jog-field-orient = 使测头垂直于平面？
+jog-field-retract = 退回
 jog-field-position-axis = 定位回转轴？
 
 jog-result-meas-x0 = 测得的 { $axis }0
@@ -58,6 +66,8 @@ jog-result-beta = 角度 β
 
 jog-line-inactive = { $offset } 已补偿，但未激活。
 jog-line-tilted = 新的工件坐标系方向已改变。
+jog-line-swivels = 按 NC 启动后工作台回转。
+jog-line-no-swivel = 此机床没有能使测头垂直于平面的回转轴。再次测量前须用 TRAORI 或手动调整测头方向。
 jog-line-turned = 工件绕刀具轴旋转。在工件坐标系中移动时请注意。
 jog-line-rotary = 回转轴 { $axis } 的零点偏移已补偿。该轴移动后工件才找正。
 jog-line-start = 请按 NC 启动以激活。
@@ -78,6 +88,10 @@ jog-no-mask = 没有打开输入画面。请先打开，例如“mask set_edge�
 jog-all-stored = 所有点均已存储。请按“计算”，或拒绝一个点后重新测量。
 jog-missing = 缺少点：{ $points }。请先按 NC 启动测量。
 jog-at-once = 此输入画面只需 NC 启动即可测量并计算。请按 NC 启动。
+jog-older-order = 至 SW 6.2，各点须依次存储：先按 NC 启动触碰 { $point }，再存储。
+jog-older-reject = 至 SW 6.2，已存储的点不能丢弃。请用 << 退出画面后重新开始。
+jog-older-g500 = _JM_B[4]=1 时，只有 G500 有效才能补偿基本参考。请把测量时的零点偏移选为 G500。
+jog-stores-itself = 此输入画面自动存储每个点。请按 NC 启动。
 jog-grey = { $point } 未存储，不能拒绝。
 jog-nothing-to-activate = 没有可激活的内容。零点偏移已激活，或没有补偿。
 jog-no-jog = 此控制系统没有在 JOG 中测量。请使用 SINUMERIK 的机床配置。
@@ -153,6 +167,9 @@ jog-ahead-show = 显示 { $label } = { $value }
 jog-ahead-activates = 询问是否激活零点偏移
 jog-ahead-nothing = 不写入零点偏移和刀具数据
 jog-ahead-none = 现在按 NC 启动或“计算”都不会测量。
+jog-ahead-shown = 显示 { $label }
+jog-ahead-corrects = 补偿 { $offset }
+jog-ahead-hidden = 在显示工件位置之前，触碰点和数值保持隐藏。
 
 jog-face-below = 从上方够不到此面。请选择测头可到达的面。
 jog-face-nothing = 此处没有工件表面。请指向工件。
@@ -228,8 +245,14 @@ jog-help-centres-4-wrong = 点的顺序错误，对角线平行：报警 61368�
 jog-help-align-plane-measures = 平面的倾斜：绕工作平面两个轴的角度。
 jog-help-align-plane-before = P1、P2、P3：在表面上方，相距较远且不共线。
 jog-help-align-plane-corrects = 绕平面两个轴的旋转：使进给轴垂直于表面。平移不变。
+jog-help-align-plane-orient = 在带回转工作台的机床上，激活画面可使测头垂直于平面：退回、激活、像 CYCLE800 那样回转。工件坐标系保持在工件上。
 jog-help-align-plane-wrong = 三点共线：没有平面。请拒绝其中一点，换一处测量。
 jog-help-align-plane-wrong-orientation = 补偿后测头相对新的工件坐标系倾斜：请先调整测头方向再测量。
+jog-help-older-corner-before = 拐角为外角。其位置（1 至 4，从左下角起逆时针）决定测量方向。
+jog-help-older-corner-order = NC 启动进行触碰，“存储 P1”存储该点；然后依次为 P2 至 P4。从 P3 起可按“计算”：直角工件三个点即可。
+jog-help-older-corner-wrong = 已存储的点有误：不能丢弃。请用 << 退出画面后重新开始。
+jog-help-older-basic = 列表中的基本框架是最后一个通道基本框架，G500 生效后即正确。_JM_B[4]=1 时为基本参考 $P_SETFR，测量时 G500 必须有效。
+jog-help-older-active = 没有激活画面：测量时未激活的零点偏移在下次激活时生效。
 jog-help-cal-length-measures = 测头的长度 L1 及其在进给轴上的触发点，在高度已知的表面上测量。
 jog-help-cal-length-before = 测头在表面上方，D 号有效；近似长度和测球半径已输入刀具数据。输入画面中的高度以测量时生效的工件坐标系为准。
 jog-help-cal-length-corrects = 主轴中刀具的 L1，以及 _WP 中的触发点。不补偿零点偏移。

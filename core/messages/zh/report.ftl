@@ -9,6 +9,8 @@ report-jog = 在 JOG 中测量
 report-jog-intro = 在 JOG 中测量的输入画面：各自的测量内容、按 NC 启动前测头的位置、写入的内容，以及各字段在 `probewright jog` 脚本中的名称。轴为 G17 的轴。
 report-jog-mask = 脚本中：{ $mask }。来源：{ $source }。
 report-jog-results = 结果：{ $names }。
+report-jog-older = 至测量循环 SW 6.2
+report-jog-older-intro = 机床数据 `PW-JOG` = 1 时使用这些输入画面，代替上面除测量刀具以外的画面。
 report-machine = 机床数据
 report-machine-intro = SINUMERIK：数据块 GUD5、GUD6、GUD7 的用户数据，以及测量循环所依赖的机床数据。末尾为 NCT：测量宏程序的变量和参数。由 `core/src/control` 中的表生成，请勿编辑。
 report-own-setting = 无：Probewright 自己的设置

@@ -1,12 +1,15 @@
-//! What the next key would do in a session of measuring in JOG, found out on a copy of it.
+//! What the next key would do in a session of measuring in JOG, found out on a copy of it; where nobody is to know yet
+//! how the part lies, on a copy whose table is empty.
 
 use super::changes::Change;
 use super::jog::{JogResult, changed, note, results};
 use super::outcome::Raised;
+use crate::jog::mask::Show;
 use crate::jog::states::Key;
-use crate::jog::{Input, Mask, Session, State};
+use crate::jog::{Input, Mask, Session, State, offset};
 use crate::machine::Step;
 use crate::message::Message;
+use crate::workpiece::Workpiece;
 use serde::Serialize;
 
 /// What NC start would do from where the probe is, with Calculate where it stores the last point; what Calculate would
@@ -35,6 +38,20 @@ pub struct JogAhead {
     pub changes: Vec<Change>,
     /// Whether the activation screen would come up.
     pub activates: bool,
+    /// What is known although nobody is to know yet how the part lies: there are no touches, results and changes then.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub hidden: Option<JogHidden>,
+}
+
+/// What the call alone tells of a result.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
+pub struct JogHidden {
+    /// What would be shown.
+    pub shows: Vec<Message>,
+    /// The zero offset that would be corrected.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub corrects: Option<String>,
 }
 
 /// A place that is touched again, as with a fast and a slow touch, counts once, mm.
@@ -52,7 +69,7 @@ pub fn ahead(session: &Session) -> Option<JogAhead> {
     let steps = copy.sim.trace.entries.behind(session.sim.trace.entries.len());
     let steps: Vec<Step> = steps.map(|entry| entry.step).collect();
     let raised = copy.stopped().filter(|_| start).map(Raised::stop);
-    let stores = start && raised.is_none() && !mask.at_once();
+    let stores = start && raised.is_none() && !mask.at_once() && !mask.by_hand();
     let point = session.points().iter().position(Option::is_none).filter(|_| stores);
     let calculates = raised.is_none() && done == Ok(true);
     Some(JogAhead {
@@ -65,7 +82,54 @@ pub fn ahead(session: &Session) -> Option<JogAhead> {
         results: if calculates { results(&copy) } else { Vec::new() },
         changes: steps.iter().filter_map(|step| changed(&copy.sim.control, step)).collect(),
         activates: copy.activation().is_some(),
+        hidden: None,
     })
+}
+
+/// The same while nobody is to know how the part lies: what the call alone says. What Calculate would do follows from
+/// points that are on the screen, and a tool is not the part.
+pub fn hidden(session: &Session) -> Option<JogAhead> {
+    let mask = session.mask()?;
+    let start = session.state() == State::Mask && session.takes(Key::Start);
+    if !start || mask.task.of_tool() {
+        return ahead(session);
+    }
+    let raised = raised_at_once(session);
+    let missing = session.points().iter().filter(|point| point.is_none()).count();
+    let shows = raised.is_none() && !mask.by_hand() && (mask.at_once() || missing == 1);
+    let (store, point) = (session.chosen(), session.points().iter().position(Option::is_none));
+    let shown = mask.shows.iter().filter_map(|show| match show {
+        Show::Length(name) | Show::Angle(name) => Some(session.label("result", name)),
+        _ => None,
+    });
+    Some(JogAhead {
+        start,
+        point: point
+            .filter(|_| raised.is_none() && !mask.at_once() && !mask.by_hand())
+            .map(|number| format!("P{}", number + 1)),
+        touches: Vec::new(),
+        raised,
+        refused: None,
+        notes: Vec::new(),
+        results: Vec::new(),
+        changes: Vec::new(),
+        activates: shows && store.is_some_and(|store| session.surely_activates(store)),
+        hidden: Some(JogHidden {
+            shows: if shows { shown.collect() } else { Vec::new() },
+            corrects: store.filter(|_| shows).map(|store| offset::name(&session.sim.control, store)),
+        }),
+    })
+}
+
+/// The alarm that NC start raises before anything moves, whatever lies on the table.
+fn raised_at_once(session: &Session) -> Option<Raised> {
+    let mut copy = session.clone();
+    copy.sim.equip(Workpiece::default(), Vec::new(), None);
+    let before = copy.sim.trace.entries.len();
+    copy.carry_out(Input::Start).ok()?;
+    let moves = |step: Step| matches!(step, Step::Motion { from, to, .. } if from != to);
+    let moved = copy.sim.trace.entries.behind(before).any(|entry| moves(entry.step));
+    copy.stopped().filter(|_| !moved).map(Raised::stop)
 }
 
 /// Whether something is calculated.
@@ -73,7 +137,7 @@ fn carry_out(session: &mut Session, start: bool) -> Result<bool, Message> {
     if start {
         session.carry_out(Input::Start)?;
     }
-    let ready = session.state() == State::Ready;
+    let ready = if start { session.state() == State::Ready } else { session.takes(Key::Calculate) };
     if ready {
         session.press(Input::Calculate)?;
     }

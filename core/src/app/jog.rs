@@ -229,7 +229,10 @@ pub(super) fn act(session: &mut Session, command: &Command) -> Result<(), Messag
             session.press(Input::Reset)
         }
         Command::Reset => session.press(Input::Reset),
+        Command::Reject(_) if session.kept_by_hand() => Err(Message::new("jog-older-reject")),
         Command::Reject(number) => session.press(Input::Point(*number)),
+        Command::Store(_) if !session.kept_by_hand() => Err(Message::new("jog-stores-itself")),
+        Command::Store(number) => session.press(Input::Point(*number)),
         Command::Plc(number, set) => session.press(Input::Plc(*number, *set)),
         Command::Calculate => session.press(Input::Calculate),
         Command::Activate if session.state() != State::Activate => Err(Message::new("jog-nothing-to-activate")),
@@ -269,5 +272,6 @@ fn set(session: &mut Session, name: &str, value: f64) -> Result<(), Message> {
     } else {
         return Err(Message::new("jog-no-datum").text("name", name));
     }
+    session.settle();
     Ok(())
 }

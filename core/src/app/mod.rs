@@ -32,7 +32,7 @@ mod twin;
 mod written;
 
 pub use crate::refused::Refused as Error;
-pub use ahead::{JogAhead, ahead};
+pub use ahead::{JogAhead, JogHidden, ahead};
 pub use alarms::{AlarmInfo, alarm, alarms};
 pub use answer::{Answer, Band, BandKind, Correction, Figure, Gauge, Mark, Needle, Part, Verdict};
 pub use beside::{Beside, FileStart};

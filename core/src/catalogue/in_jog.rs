@@ -414,7 +414,7 @@ pub const TABLE: &[Counterpart] = &[
             PROBE,
             FEED,
         ],
-        differs: &[FOUND, "jog-differs-level"],
+        differs: &[FOUND],
         source: "B:7324;B:7605",
         ..PLAIN
     },

@@ -14,6 +14,8 @@ use std::{cell::RefCell, collections::BTreeSet};
 
 /// Setting of ours, a name that no program can write: 1 lets `_MZ_MASK` decide over forms and code.
 pub const FORMS: &str = "PW-FORMS";
+/// Setting of ours: 1 gives measuring in JOG the masks that it had up to measuring cycles SW 6.2.
+pub const OLDER_JOG: &str = "PW-JOG";
 
 impl Control {
     /// Whether it has user data, an R parameter, a machine datum or a variable with this name for such a value.
@@ -37,7 +39,7 @@ pub(super) fn sinumerik(name: &str, text: bool) -> bool {
     }
     let machine = ["MD", "SD", "TOOLENV["].iter().any(|start| name.starts_with(start));
     let of_machine = machine_data::of_machine(name) && (!text || machine_data::is_text(name));
-    machine || of_machine || !text && (name == FORMS || numbered(name, 'R', 1000))
+    machine || of_machine || !text && ([FORMS, OLDER_JOG].contains(&name) || numbered(name, 'R', 1000))
 }
 
 /// Whether an NCT control has a datum of this name that holds a text, or a number.

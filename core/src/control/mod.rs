@@ -21,7 +21,7 @@ pub mod units;
 pub mod variables;
 
 pub use calibration::Calibration;
-pub use data::{Data, FORMS};
+pub use data::{Data, FORMS, OLDER_JOG};
 pub use definitions::{Definition, Definitions};
 pub use delivery::{delivery, delivery_in, rebuilt};
 pub use environments::Environment;

@@ -3,7 +3,7 @@
 //! A, B and C turn about lines parallel to X, Y and Z through one point. A positive angle moves the tool
 //! counter-clockwise about the part (DIN 66217, B:627), so that the table turns clockwise; C is carried by B, B by A.
 
-use super::Control;
+use super::{Control, Frame};
 use crate::geometry::{Degrees, Dir, Mcs, Rpy, V3, rigid};
 use nalgebra::Rotation3;
 
@@ -45,6 +45,19 @@ impl Control {
     pub fn rotary_direction(&self, axis: usize) -> Dir<Mcs> {
         let carrying = Rpy(std::array::from_fn(|i| if i < axis { self.rotary[i].0 } else { 0.0 }));
         (rigid::rotation(carrying).inverse() * V3::ith(axis.min(2), 1.0)).into()
+    }
+
+    /// Where the rotary axes A B C of a swivel table go until the active frames lie as the machine, and the frame that
+    /// turns with the table about their centre; none: the frames shear (B:7773-7782).
+    pub(crate) fn swivelled(&self) -> Option<([Degrees; 3], Frame)> {
+        let mut straight = self.clone();
+        straight.part_frame = Frame::default();
+        let total = straight.total_frame()?;
+        let turn = rigid::rotation(total.rotation).inverse();
+        let centre = V3::from(self.rotary_centre);
+        let coarse = (centre - turn * centre).into();
+        let table = Frame { coarse, rotation: rigid::angles(&turn), ..Frame::default() };
+        Some((total.rotation.map(Degrees), table))
     }
 
     /// How the table is turned, in machine coordinates.

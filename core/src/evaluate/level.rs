@@ -1,6 +1,7 @@
-//! The rule by which JOG makes a leaning plane level: a rotation of the frame about abscissa and ordinate, and about
-//! the applicate by 0 (B:3641-3645). The example prints it: X −6.1069, Y −14.3030, Z 0.0000 (B:3882). Of the two turns
-//! the frame carries out the one behind the other, in the order of its angles (RPY). DESIGN.md has the derivation.
+//! The rule by which a leaning plane gets its angles, level or others, in JOG and in CYCLE998: a rotation of the frame
+//! about abscissa and ordinate, and about the applicate by 0 (B:3641-3645, B:7278). The example prints it: X −6.1069,
+//! Y −14.3030, Z 0.0000 (B:3882). Of the two turns the frame carries out the one behind the other, in the order of its
+//! angles (RPY). DESIGN.md has the derivation.
 
 use crate::control::Plane;
 use crate::geometry::{Degrees, Rpy, V3, rigid};
@@ -9,23 +10,27 @@ use nalgebra::Rotation3;
 /// Directions closer than this are the same.
 pub const SAME: f64 = 1e-9;
 
-/// The turn about abscissa and ordinate alone that takes one direction to another. The directions lie on the same side
-/// of the plane; what no such turn reaches is reached as nearly as it can.
-pub fn tilt(plane: Plane, from: &V3, to: &V3) -> Rpy {
-    let [abscissa, ordinate, applicate] = plane.axes();
+/// The turn about abscissa and ordinate alone that takes one direction to another, of two the one nearer to the turn
+/// `before`; what no such turn reaches is reached as nearly as it can.
+pub fn tilt(plane: Plane, from: &V3, to: &V3, before: &Rotation3<f64>) -> Rpy {
+    let [abscissa, ordinate, _] = plane.axes();
     let (inner, outer) = (abscissa.min(ordinate), abscissa.max(ordinate));
     let (from, to) = (from.normalize(), to.normalize());
     // the inner turn brings the part along the outer axis, which the outer turn leaves
     let [next, last] = [(inner + 1) % 3, (inner + 2) % 3];
     let reach = from[next].hypot(from[last]);
     let along = to[outer].clamp(-reach, reach);
-    let up = (reach * reach - along * along).max(0.0).sqrt().copysign(from[applicate]);
-    let wanted = if next == outer { up.atan2(along) } else { along.atan2(up) };
-    let first = about(inner, wanted - from[last].atan2(from[next]));
-    let between = rigid::rotation(first) * from;
-    let [next, last] = [(outer + 1) % 3, (outer + 2) % 3];
-    let second = about(outer, to[last].atan2(to[next]) - between[last].atan2(between[next]));
-    Rpy(std::array::from_fn(|axis| first[axis] + second[axis]))
+    let up = (reach * reach - along * along).max(0.0).sqrt();
+    let [one, other] = [up, -up].map(|up| {
+        let wanted = if next == outer { up.atan2(along) } else { along.atan2(up) };
+        let first = about(inner, wanted - from[last].atan2(from[next]));
+        let between = rigid::rotation(first) * from;
+        let [next, last] = [(outer + 1) % 3, (outer + 2) % 3];
+        let second = about(outer, to[last].atan2(to[next]) - between[last].atan2(between[next]));
+        Rpy(std::array::from_fn(|axis| first[axis] + second[axis]))
+    });
+    let away = |turn: Rpy| (before.inverse() * rigid::rotation(turn)).angle();
+    if away(one) <= away(other) { one } else { other }
 }
 
 /// An angle in radians about an axis, between −180 and 180 degree.
@@ -59,7 +64,8 @@ mod tests {
     #[test]
     fn the_printed_rotation_comes_out() {
         let printed = Rpy([-6.1069, -14.303, 0.0]);
-        near(tilt(Plane::G17, &V3::z(), &(rigid::rotation(printed) * V3::z())), printed.0);
+        let normal = rigid::rotation(printed) * V3::z();
+        near(tilt(Plane::G17, &V3::z(), &normal, &Rotation3::identity()), printed.0);
     }
 
     // oracle: definition: the turn takes the one to the other, and none is about the applicate
@@ -73,7 +79,7 @@ mod tests {
                     (direction[abscissa], direction[ordinate]) = (a, b);
                     direction
                 };
-                let turn = tilt(plane, &direction(c, d), &direction(a, b));
+                let turn = tilt(plane, &direction(c, d), &direction(a, b), &Rotation3::identity());
                 assert_eq!(turn[applicate], 0.0, "{plane:?}");
                 let turned = rigid::rotation(turn) * direction(c, d).normalize();
                 assert!((turned - direction(a, b).normalize()).norm() < 1e-12, "{plane:?} {turn:?}");
@@ -88,9 +94,30 @@ mod tests {
             let [.., applicate] = plane.axes();
             let whole = rigid::rotation(Rpy([11.0, -23.0, 37.0]));
             let turned = rigid::rotation(Rpy::about(applicate, heading(plane, &whole)));
-            let tilted = tilt(plane, &V3::ith(applicate, 1.0), &(turned.inverse() * whole * V3::ith(applicate, 1.0)));
+            let rest = turned.inverse() * whole;
+            let tilted = tilt(plane, &V3::ith(applicate, 1.0), &(rest * V3::ith(applicate, 1.0)), &rest);
             let both = turned * rigid::rotation(tilted);
             assert!((both.matrix() - whole.matrix()).norm() < 1e-12, "{plane:?} {tilted:?}");
+        }
+    }
+
+    // oracle: definition: what already lies as it should stays, however far it is turned, whichever direction is meant
+    #[test]
+    fn of_two_tilts_the_one_that_is_there_stays() {
+        for plane in Plane::ALL {
+            let [abscissa, ordinate, applicate] = plane.axes();
+            for [first, second] in [[80.0, 60.0], [-70.0, 85.0], [10.0, -40.0], [170.0, 20.0]] {
+                let (inner, outer) = (abscissa.min(ordinate), abscissa.max(ordinate));
+                let mut there = Rpy::default();
+                (there[inner], there[outer]) = (first, second);
+                let before = rigid::rotation(there);
+                for (along, up) in [(0.0, 1.0), (0.3, 1.0), (0.6, -1.0)] {
+                    let mut normal = V3::ith(applicate, up);
+                    normal[abscissa] = along;
+                    let found = tilt(plane, &normal, &(before * normal), &before);
+                    assert!((rigid::rotation(found).matrix() - before.matrix()).norm() < 1e-12, "{plane:?} {found:?}");
+                }
+            }
         }
     }
 }

@@ -4,7 +4,7 @@ use crate::check::{Parsed, parse};
 use crate::control::gud::{Element, Gud, System, Unit};
 use crate::control::machine_data::MACHINE_DATA;
 use crate::control::nct_data::NctDatum;
-use crate::control::{Control, Units, Value, gud, machine_data, nct_data};
+use crate::control::{Control, OLDER_JOG, Units, Value, gud, machine_data, nct_data};
 use crate::dialect::Dialect;
 use crate::manual::Cited;
 use crate::message::Message;
@@ -97,18 +97,22 @@ fn group(subject: &str, settings: Vec<Setting>) -> Group {
     Group { key: format!("machine-group-{subject}"), settings }
 }
 
-/// Settings of a subject; before those of the masks stands whether they count.
+/// Settings of a subject; before those of the masks stands whether they count, before those of JOG its version.
 fn of_subject(subject: &'static gud::Subject, control: &Control) -> Vec<Setting> {
-    let forms = (subject.key == gud::MASKS).then(forms);
+    let own = match subject.key {
+        gud::MASKS => Some(ours(support::FORMS, support::FORMS_KEY)),
+        gud::JOG => Some(ours(OLDER_JOG, "datum-pw-jog")),
+        _ => None,
+    };
     let data = subject.data.iter().filter(|gud| gud.of_machine());
-    forms.into_iter().chain(data.flat_map(|gud| of_datum(gud, control))).collect()
+    own.into_iter().chain(data.flat_map(|gud| of_datum(gud, control))).collect()
 }
 
-/// Whether forms and code are those of the control's own support.
-fn forms() -> Setting {
+/// A setting of ours that is 0 or 1.
+fn ours(name: &str, key: &str) -> Setting {
     Setting {
-        name: support::FORMS.to_owned(),
-        key: support::FORMS_KEY.to_owned(),
+        name: name.to_owned(),
+        key: key.to_owned(),
         field: None,
         entry: Entry::Choice { choices: &[0, 1] },
         unit: "",

@@ -13,6 +13,8 @@ pub struct Reasons {
     pub inactive: bool,
     /// It turns the WCS about an axis of the plane.
     pub tilts: bool,
+    /// The rotary axes of the machine can turn the part until the probe stands perpendicular to the new plane.
+    pub swivels: bool,
     /// It demands another position of a rotary axis: index A B C, and where it stands when the part is aligned.
     pub rotary: Option<(usize, Degrees)>,
 }
@@ -41,27 +43,43 @@ pub struct Activation {
 pub const ACTIVATE: &str = "activate";
 /// Whether the rotary axis moves to the position that aligns the part.
 pub const POSITION: &str = "position_axis";
-/// What both take.
-pub const YES: [&str; 2] = ["yes", "no"];
+/// Whether the part is turned until the probe stands perpendicular to the plane (B:3880-3897).
+pub const ORIENT: &str = "orient";
+/// Along what the probe is retracted before.
+pub const RETRACT: &str = "retract";
+/// What the other fields take.
+const YES: [&str; 2] = ["yes", "no"];
+/// What the retraction takes.
+const WAYS: [&str; 2] = ["Z", "no"];
+
+/// What a field takes, the first one as the screen comes up.
+pub fn choices(name: &str) -> [&'static str; 2] {
+    if name == RETRACT { WAYS } else { YES }
+}
 
 impl Activation {
     /// As the screen comes up.
     pub fn new(store: Store, reasons: Reasons, turned: bool) -> Activation {
         let mut values = Values::default();
-        for name in fields(reasons) {
-            values.put(name, Value::Word(YES[0].to_owned()));
+        for name in [ACTIVATE, ORIENT, RETRACT, POSITION] {
+            values.put(name, Value::Word(choices(name)[0].to_owned()));
         }
         Activation { store, reasons, turned, values }
     }
 
     /// Names of its fields.
     pub fn fields(&self) -> Vec<&'static str> {
-        fields(self.reasons)
+        // a plane that is not active is none to which the probe could stand
+        let orients = self.reasons.swivels && self.values.word(ACTIVATE) == YES[0];
+        let retracts = orients && self.values.word(ORIENT) == YES[0];
+        let shown =
+            [(ACTIVATE, true), (ORIENT, orients), (RETRACT, retracts), (POSITION, self.reasons.rotary.is_some())];
+        shown.into_iter().filter_map(|(name, shown)| shown.then_some(name)).collect()
     }
 
-    /// Whether a field says yes.
+    /// Whether a field is there and says yes, or a way.
     pub fn says(&self, name: &str) -> bool {
-        self.values.word(name) == YES[0]
+        self.fields().contains(&name) && self.values.word(name) == choices(name)[0]
     }
 
     /// Chooses in a field.
@@ -73,9 +91,10 @@ impl Activation {
         let Some(field) = fields.iter().find(|field| field.eq_ignore_ascii_case(name)) else {
             return Err(Message::new("jog-no-field").text("field", name).text("known", fields.join(", ")));
         };
-        let Some(word) = YES.into_iter().find(|known| known.eq_ignore_ascii_case(word.trim())) else {
+        let known = choices(field);
+        let Some(word) = known.into_iter().find(|known| known.eq_ignore_ascii_case(word.trim())) else {
             let wrong = Message::new("jog-wrong-word").text("field", *field).text("text", word);
-            return Err(wrong.text("known", YES.join(", ")));
+            return Err(wrong.text("known", known.join(", ")));
         };
         self.values.put(field, Value::Word(word.to_owned()));
         Ok(())
@@ -85,11 +104,16 @@ impl Activation {
     pub fn lines(&self, control: &Control) -> Vec<Message> {
         let name = offset::name(control, self.store);
         let mut lines = Vec::new();
-        if self.reasons.inactive {
+        let orients = self.says(ORIENT);
+        if self.reasons.inactive && !orients {
             lines.push(Message::new("jog-line-inactive").text("offset", &name));
         }
-        if self.reasons.tilts {
+        if self.reasons.tilts && (orients || !self.reasons.swivels) {
             lines.push(Message::new("jog-line-tilted"));
+        }
+        if self.reasons.tilts {
+            let way = if self.reasons.swivels { "jog-line-swivels" } else { "jog-line-no-swivel" };
+            lines.extend((orients || !self.reasons.swivels).then(|| Message::new(way)));
         }
         if self.turned {
             lines.push(Message::new("jog-line-turned"));
@@ -100,9 +124,4 @@ impl Activation {
         lines.push(Message::new("jog-line-start"));
         lines
     }
-}
-
-fn fields(reasons: Reasons) -> Vec<&'static str> {
-    let position = reasons.rotary.map(|_| POSITION);
-    std::iter::once(ACTIVATE).chain(position).collect()
 }

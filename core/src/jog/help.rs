@@ -70,6 +70,12 @@ const OFFSET: &[Line] = &[
     corrects("jog-help-offset-corrects", "B:2762-2764;B:2867-2868"),
     corrects("jog-help-offset-activation", "B:3802-3806;B:3862-3870"),
 ];
+/// The same up to SW 6.2.
+const OLDER_OFFSET: &[Line] = &[
+    corrects("jog-help-offset-corrects", "A:2943-2946;A:3124"),
+    corrects("jog-help-older-basic", "A:2948-2954"),
+    corrects("jog-help-older-active", "A:2925;A:3776-3800"),
+];
 /// The tool probe.
 const TOOL: &[Line] =
     &[wrong("jog-help-tool-wrong-reach", "A:15842"), wrong("jog-help-tool-wrong-data", "A:15841;B:14296")];
@@ -86,13 +92,17 @@ fn groups(mask: &Mask) -> Vec<&'static [Line]> {
     };
     let mut groups = vec![mask.help];
     if mask.task.corrects() {
-        groups.extend([CALIBRATED, OFFSET]);
+        groups.extend([CALIBRATED, if mask.older.is_some() { OLDER_OFFSET } else { OFFSET }]);
     }
     // the two runs in a ring are told by the mask
     if mask.task != Task::Ring {
         groups.push(how);
     }
-    groups.push(if mask.at_once() { ONCE } else { POINTS });
+    match (mask.at_once(), mask.by_hand()) {
+        (true, _) => groups.push(ONCE),
+        (_, false) => groups.push(POINTS),
+        _ => {} // the mask tells it
+    }
     groups
 }
 

@@ -63,6 +63,8 @@ pub struct Mask {
     pub shows: &'static [Show],
     /// What it alone says to who stands before it.
     pub help: &'static [Line],
+    /// Of a mask up to measuring cycles SW 6.2 the newer one that measures alike.
+    pub older: Option<&'static str>,
     /// Where the manual describes it.
     pub source: &'static str,
 }
@@ -189,6 +191,12 @@ impl Mask {
     /// The field with this name.
     pub fn field(&self, name: &str) -> Option<&'static Field> {
         self.fields.iter().find(|field| field.name == name)
+    }
+
+    /// Whether the user stores each point after its touch, in their order, and three of four may do: the corner up to
+    /// SW 6.2 (A:3188-3200).
+    pub fn by_hand(&self) -> bool {
+        self.older.is_some() && self.task == Task::Corner
     }
 
     /// Whether NC start alone measures and calculates: there are no softkeys for points.

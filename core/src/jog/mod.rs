@@ -26,7 +26,7 @@ pub mod values;
 
 pub use calculate::{Outcome, Point, Unfit, calculate, corner_sides};
 pub use mask::{Function, Mask};
-pub use masks::FUNCTIONS;
+pub use masks::{FUNCTIONS, OLDER};
 pub use session::{Input, Session};
 pub use states::State;
 

@@ -1,6 +1,7 @@
 //! The zero offset that a mask corrects: which there are, and what is written (B:2762-2781, B:2867-2868). Coarse takes
 //! the fine part in, which becomes 0; what was not measured stays as the zero offset has it.
 
+use super::settings;
 use crate::control::{Control, Frame, Store};
 use crate::evaluate::zero_offset::{self, Measured, Target};
 use crate::evaluate::{Write, level};
@@ -38,7 +39,14 @@ pub fn choices(control: &Control, turned: bool) -> Vec<String> {
 }
 
 /// The basic reference, with `_JM_I[5]` = 1 the basic frames too; global ones take no rotation (B:1971, B:2770-2781).
+/// Up to SW 6.2 the last channel basic frame, with `_JM_B[4]` = 1 the basic reference instead (A:2948-2954).
 fn basic(control: &Control, turned: bool) -> Vec<Store> {
+    if settings::older(control) {
+        return match control.bit("_JM_B[4]") {
+            true => zero_offset::system_frame(control).then_some(Store::System).into_iter().collect(),
+            false => zero_offset::last_basic(control).into_iter().collect(),
+        };
+    }
     let mut stores = Vec::new();
     if zero_offset::system_frame(control) {
         stores.push(Store::System);
@@ -80,13 +88,15 @@ pub enum Turn {
     Level(V3),
 }
 
-fn target(store: Store) -> Target {
-    Target { store, without_settable: false, activate: false }
+/// A channel basic frame is right up to SW 6.2 as soon as G500 is active (A:2948).
+fn target(control: &Control, store: Store) -> Target {
+    let without_settable = settings::older(control) && matches!(store, Store::ChannelBasic(_));
+    Target { store, without_settable, activate: false }
 }
 
 /// What writes a correction into a frame.
 pub fn writes(control: &Control, store: Store, correction: &Correction) -> Vec<Write> {
-    let target = target(store);
+    let target = target(control, store);
     let old = control.stored_frame(store).rotation;
     match correction {
         Correction::Place(measured) => zero_offset::placed(control, &target, old, measured),

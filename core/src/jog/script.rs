@@ -8,6 +8,7 @@
 //! jog X+0.5              by so much
 //! start                  NC start; "start reset" presses RESET while it runs
 //! reject P2              softkey of a black point; "plc P2 on" is the bit of the PLC
+//! store P2               softkey that stores the touched point of a corner up to SW 6.2
 //! calculate
 //! activate               NC start on the activation screen
 //! <<                     leaves mask or screen
@@ -34,8 +35,10 @@ pub enum Command {
     Start(bool),
     /// RESET.
     Reset,
-    /// A softkey P1 to P4.
+    /// A softkey P1 to P4 that is black.
     Reject(usize),
+    /// The softkey that stores a point (up to SW 6.2).
+    Store(usize),
     /// A bit of the PLC.
     Plc(usize, bool),
     /// Calculate.
@@ -89,8 +92,10 @@ pub struct Wrong {
 pub const MOST: usize = 100_000;
 
 /// Words that begin a command.
-const COMMANDS: [&str; 13] =
-    ["mask", "move", "jog", "start", "reset", "reject", "plc", "calculate", "activate", "<<", "mode", "tool", "set"];
+const COMMANDS: [&str; 14] = [
+    "mask", "move", "jog", "start", "reset", "reject", "store", "plc", "calculate", "activate", "<<", "mode", "tool",
+    "set",
+];
 
 /// Reads a script.
 ///
@@ -133,6 +138,7 @@ fn command(text: &str) -> Result<Command, Told> {
         "start" if rest.eq_ignore_ascii_case("reset") => Ok(Command::Start(true)),
         "start" => alone(Command::Start(false)),
         "reset" => alone(Command::Reset),
+        "store" => Ok(Command::Store(point(rest)?)),
         "reject" => Ok(Command::Reject(point(rest)?)),
         "plc" => plc(rest),
         "calculate" => alone(Command::Calculate),
@@ -244,6 +250,7 @@ mod tests {
             ("start reset", Command::Start(true)),
             ("reset", Command::Reset),
             ("reject P2", Command::Reject(2)),
+            ("store P2", Command::Store(2)),
             ("plc P3 off", Command::Plc(3, false)),
             ("Calculate", Command::Calculate),
             ("activate", Command::Activate),

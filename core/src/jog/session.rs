@@ -11,13 +11,14 @@ use super::settings;
 use super::states::{Does, Key, Row, State, When, row_of};
 use super::stylus::Stylus;
 use super::touching::Touching;
-use super::values::{Value, Values};
+use super::values::{ROTATION, Value, Values};
 use super::{calibrating, masks, tools};
 use crate::catalogue::alarms;
-use crate::control::{AXES, Control, MachineSort, Store};
+use crate::control::{AXES, Control, MachineSort, ROTARY, Store};
 use crate::diagnostic::Code;
+use crate::evaluate::level;
 use crate::geometry::{Degrees, Mcs};
-use crate::machine::{Machine, Setup, Sim, Step, Stop};
+use crate::machine::{Machine, MotionKind, Setup, Sim, Step, Stop};
 use crate::message::Message;
 use std::collections::BTreeMap;
 
@@ -43,6 +44,9 @@ pub enum Input<'a> {
     /// Another mode.
     Mode,
 }
+
+/// So many points make a right-angled corner (A:3200).
+const ENOUGH: usize = 3;
 
 /// The axes as the user moves them: along those of the WCS that is active while measuring.
 #[derive(Clone, Debug)]
@@ -151,7 +155,7 @@ impl Session {
     /// (B:2783-2817).
     pub fn plc(&self) -> [bool; 8] {
         let softkeys = matches!(self.state, State::Mask | State::Ready | State::Busy);
-        let several = self.mask.is_some_and(|mask| !mask.at_once());
+        let several = self.mask.is_some_and(|mask| !mask.at_once() && !mask.by_hand());
         std::array::from_fn(|bit| match bit {
             0..4 => self.rejects[bit],
             _ => softkeys && several && self.points.get(bit - 4).is_some_and(Option::is_some),
@@ -244,13 +248,37 @@ impl Session {
             When::Always => true,
             When::Measurable => {
                 let valid = self.mask.is_some_and(|mask| self.values.missing(mask).is_none());
-                valid && (at_once || self.points.iter().any(Option::is_none))
+                valid && !self.lacks_g500() && (at_once || self.points.iter().any(Option::is_none))
             }
             When::More => self.points.iter().filter(|point| point.is_none()).count() > 1,
             When::Complete => at_once && !self.to_activate(),
             When::Inactive => at_once && self.to_activate(),
             When::ToActivate => self.to_activate(),
+            When::ByHand => self.kept_by_hand(),
+            When::Enough => self.kept_by_hand() && self.stored() >= ENOUGH,
         }
+    }
+
+    /// Whether the mask is one whose points the user stores.
+    pub fn kept_by_hand(&self) -> bool {
+        self.mask.is_some_and(Mask::by_hand)
+    }
+
+    /// How many points are stored.
+    fn stored(&self) -> usize {
+        self.points.iter().flatten().count()
+    }
+
+    /// Whether a touched point waits to be stored by the user.
+    pub fn waits(&self) -> bool {
+        self.kept_by_hand() && self.measured.is_some()
+    }
+
+    /// Whether the basic reference is to be corrected and another zero offset than G500 is active while measuring,
+    /// which it must be up to SW 6.2 (A:2950-2952).
+    fn lacks_g500(&self) -> bool {
+        let older = settings::older(&self.sim.control);
+        older && self.measuring() != 0 && self.chosen() == Some(Store::System)
     }
 
     /// Why an input does nothing.
@@ -258,7 +286,9 @@ impl Session {
         let wrong = self.mask.and_then(|mask| self.values.missing(mask));
         match (key, self.state) {
             (Key::Start, State::Mask) if wrong.is_some() => wrong.map_or(Message::new("jog-refused"), |(_, why)| why),
+            (Key::Start, State::Mask) if self.lacks_g500() => Message::new("jog-older-g500"),
             (Key::Start, State::Ready) => Message::new("jog-all-stored"),
+            (Key::Start, State::Mask) if self.kept_by_hand() => Message::new("jog-all-stored"),
             (Key::Start, State::Menu) => Message::new("jog-no-mask"),
             (Key::Mode, state) if state != State::Menu => Message::new("jog-mode"),
             (Key::Function, State::Mask | State::Ready) => Message::new("jog-open"),
@@ -271,7 +301,8 @@ impl Session {
 
     /// Names of the points that are missing: `P1, P3`.
     fn grey(&self) -> String {
-        let missing = self.points.iter().enumerate().filter(|(_, point)| point.is_none());
+        let needed = if self.kept_by_hand() { ENOUGH } else { self.points.len() };
+        let missing = self.points.iter().enumerate().take(needed).filter(|(_, point)| point.is_none());
         missing.map(|(number, _)| format!("P{}", number + 1)).collect::<Vec<_>>().join(", ")
     }
 
@@ -286,6 +317,8 @@ impl Session {
             }
             Does::Measure => self.begin(),
             Does::Store => self.store(),
+            Does::Hold => {}
+            Does::Keep => self.keep(input)?,
             Does::Write => self.write()?,
             Does::Cancel => {
                 self.measured = None;
@@ -314,11 +347,12 @@ impl Session {
     /// measuring, which G500 is none of.
     fn open(&mut self, input: Input) -> Result<(), Message> {
         let Input::Function(name) = input else { return Ok(()) };
-        let Some(mask) = masks::find(name) else {
-            let known = masks::all().map(|mask| mask.name).collect::<Vec<_>>().join(", ");
+        let control = &self.sim.control;
+        let Some(mask) = masks::opened(control, name) else {
+            let known = masks::offered(control).iter().flat_map(|function| function.masks);
+            let known = known.map(|mask| mask.name).collect::<Vec<_>>().join(", ");
             return Err(Message::new("jog-no-function").text("name", name).text("known", known));
         };
-        let control = &self.sim.control;
         let mut values = self.last.get(mask.name).cloned().unwrap_or_else(|| Values::first(mask, control));
         for field in mask.fields {
             if let Some(preset) = settings::preset(control, field.name) {
@@ -329,6 +363,9 @@ impl Session {
                 let name = measuring.map(|number| offset::name(control, Store::Settable(number)));
                 values.put(field.name, Value::Word(name.unwrap_or_else(|| offset::NONE.to_owned())));
             }
+        }
+        if mask.by_hand() {
+            values.put("corner", Value::Word("outside".to_owned())); // there is no other (A:3130)
         }
         self.values = values;
         self.mask = Some(mask);
@@ -351,6 +388,7 @@ impl Session {
         let rejects = field.touches && self.values != before && !mask.at_once();
         if rejects {
             self.points.fill(None);
+            self.measured = None;
         }
         if field.touches && self.values != before {
             self.taken.fill(None);
@@ -453,10 +491,21 @@ impl Session {
         }
     }
 
+    /// Stores the point that waits: none is stored that was not touched, and none out of its turn (A:3188, A:3198).
+    fn keep(&mut self, input: Input) -> Result<(), Message> {
+        let next = self.next();
+        if !matches!(input, Input::Point(number) if number == next + 1) || self.measured.is_none() {
+            return Err(Message::new("jog-older-order").text("point", format!("P{}", next + 1)));
+        }
+        self.store();
+        Ok(())
+    }
+
     /// What all points come to, the one that was measured last among them.
     fn calculated(&self) -> Result<Outcome, Message> {
         let (Some(mask), Some(stylus)) = (self.mask, &self.stylus) else { return Ok(Outcome::default()) };
-        let points: Vec<Point> = self.points.iter().copied().chain([self.measured]).flatten().collect();
+        let points: Vec<Point> =
+            self.points.iter().copied().chain([self.measured.filter(|_| !mask.by_hand())]).flatten().collect();
         let told = |unfit| match unfit {
             Unfit::Alarm(number) => Message::new(alarms::key(Code::Alarm(number))),
             Unfit::Told(key) => Message::new(key),
@@ -472,8 +521,22 @@ impl Session {
         offset::named(&self.sim.control, self.values.word("zo"), turned)
     }
 
+    /// Whether a zero offset has to be activated whatever is measured: it is not active while measuring, or a rotary
+    /// axis takes the angle.
+    pub fn surely_activates(&self, store: Store) -> bool {
+        if self.mask.is_some_and(|mask| mask.older.is_some()) {
+            return false;
+        }
+        let inactive = matches!(store, Store::Settable(number) if number != self.measuring());
+        let turned = self.values.word("angle_offset");
+        inactive || turned != ROTATION && self.sim.control.rotary_axis(turned).is_some()
+    }
+
     /// Whether what would be written has to be activated.
     fn to_activate(&self) -> bool {
+        if self.mask.is_some_and(|mask| mask.older.is_some()) {
+            return false; // up to SW 6.2 there is no such screen
+        }
         let Ok(outcome) = self.calculated() else { return false };
         let (Some(store), Some(correction)) = (self.chosen(), outcome.correction) else { return false };
         self.reasons(store, &correction).0.any()
@@ -493,7 +556,8 @@ impl Session {
         };
         let inactive = matches!(store, Store::Settable(number) if number != control.settable);
         let tilts = offset::tilts(control, &old, &new);
-        (Reasons { inactive, tilts, rotary }, !tilts && old.rotation != new.rotation)
+        let swivels = tilts && swivels(&after, store);
+        (Reasons { inactive, tilts, swivels, rotary }, !tilts && old.rotation != new.rotation)
     }
 
     /// Shows the results, writes the zero offset; all points are grey again.
@@ -502,7 +566,7 @@ impl Session {
         if let (Some(store), Some(correction)) = (self.chosen(), &outcome.correction) {
             let (reasons, turned) = self.reasons(store, correction);
             self.correct(store, correction);
-            if reasons.any() {
+            if reasons.any() && self.mask.is_some_and(|mask| mask.older.is_none()) {
                 self.activation = Some(Activation::new(store, reasons, turned));
             } else {
                 let settable = self.sim.control.settable;
@@ -549,6 +613,7 @@ impl Session {
         let stored = self.points.get(place).is_some_and(Option::is_some);
         if set
             && stored
+            && !self.kept_by_hand()
             && let Ok(row) = self.row(Key::Point)
         {
             return self.act(row, Input::Plc(number, set));
@@ -564,7 +629,18 @@ impl Session {
         self.points.clear();
         self.taken.clear();
         self.outcome = Outcome::default();
+        self.measured = None;
         self.stopped = None;
+    }
+
+    /// Leaves a mask that the control does not have any more.
+    pub fn settle(&mut self) {
+        let offered = |mask: &Mask| masks::opened(&self.sim.control, mask.name).is_some();
+        if self.mask.is_some_and(|mask| !offered(mask)) {
+            self.activation = None;
+            self.leave();
+            self.state = State::Menu;
+        }
     }
 
     fn toggle(&mut self, input: Input) -> Result<(), Message> {
@@ -572,20 +648,37 @@ impl Session {
         activation.toggle(name, word)
     }
 
-    /// Activates what was written: the zero offset, then the rotary axis where the part is aligned.
+    /// Activates what was written: the probe is retracted, the zero offset becomes active, then the table turns the plane
+    /// under the probe, or the rotary axis moves where the part is aligned (B:3903-3906).
     fn activate(&mut self) -> Result<(), Stop> {
         let Some(activation) = self.activation.clone() else { return Ok(()) };
+        if activation.says(activation::RETRACT) {
+            let mut to = self.sim.position;
+            to[2] = self.sim.above_turning().max(to[2]);
+            self.sim.travel_machine(to, None, MotionKind::Rapid, 0.0, false)?;
+        }
         if activation.says(activation::ACTIVATE) {
-            let settable = match activation.store {
-                Store::Settable(number) => number,
-                _ => self.sim.control.settable,
-            };
-            self.sim.control.activate(settable);
+            self.sim.control.activate(settable(&self.sim.control, activation.store));
+        }
+        if activation.says(activation::ORIENT) {
+            self.orient()?;
         }
         match activation.reasons.rotary.filter(|_| activation.says(activation::POSITION)) {
             Some((axis, to)) => self.sim.turn_table(axis, to),
             None => Ok(()),
         }
+    }
+
+    /// Turns the table until the active plane lies across the probe, as CYCLE800 does; the WCS turns with the part.
+    fn orient(&mut self) -> Result<(), Stop> {
+        let Some((turns, table)) = self.sim.control.swivelled() else { return Ok(()) };
+        for (axis, to) in turns.into_iter().enumerate() {
+            if self.sim.control.rotary[axis] != to {
+                self.sim.turn_table(axis, to)?;
+            }
+        }
+        self.sim.control.part_frame = table;
+        Ok(())
     }
 
     /// The zero offset that was activated is offered for the next measurement: to be active while measuring, and to be
@@ -649,4 +742,21 @@ impl Session {
         self.sim.note(Step::Tool { tool, edge });
         Ok(())
     }
+}
+
+/// The settable frame that is active once a zero offset is.
+fn settable(control: &Control, store: Store) -> usize {
+    match store {
+        Store::Settable(number) => number,
+        _ => control.settable,
+    }
+}
+
+/// Whether a machine has the rotary axes that have to move until the plane of a zero offset lies across the probe.
+fn swivels(control: &Control, store: Store) -> bool {
+    let mut active = control.clone();
+    active.activate(settable(control, store));
+    let Some((turns, _)) = active.swivelled() else { return false };
+    let moves = |axis: usize| (turns[axis] - control.rotary[axis]).0.abs() > level::SAME;
+    (0..3).all(|axis| !moves(axis) || control.rotary_axis(ROTARY[axis]).is_some())
 }

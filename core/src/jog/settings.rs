@@ -1,7 +1,7 @@
 //! What the set-up of JOG makes of a measurement: `_JM_I`, `_JM_B`, `E_MESS_…` (B:14157-14368). Lengths in mm, feeds in
 //! mm/min: the data of JOG are metric whatever the machine is (B:14170-14172).
 
-use crate::control::{Control, Plane};
+use crate::control::{Control, OLDER_JOG, Plane};
 
 /// Attempts at a point until the probe switches, where `_JM_B[1]` is 0 (B:14356-14358).
 const ATTEMPTS: u32 = 5;
@@ -64,6 +64,11 @@ fn probe(control: &Control) -> (i64, bool) {
 /// The plane while measuring; another number than 17 to 19 leaves that of the machine (B:14326-14330).
 pub fn plane(control: &Control) -> Plane {
     Plane::of(control.number("_JM_I[3]") as u16).unwrap_or(control.plane)
+}
+
+/// Whether the masks are those up to measuring cycles SW 6.2.
+pub fn older(control: &Control) -> bool {
+    control.bit(OLDER_JOG)
 }
 
 /// The settable frame that is active while measuring (B:14331-14334).

@@ -44,6 +44,7 @@ impl Shadow {
         let refused = done(&mut self.session).is_err();
         self.lost |= refused || self.session.stopped().is_some();
         self.session.become_like(after);
+        self.lost |= self.session.sim.control.rotary != after.sim.control.rotary; // the part was turned away from it
         let stored = |session: &Session| session.points().iter().map(Option::is_some).collect::<Vec<_>>();
         self.lost |= stored(&self.session) != stored(after);
     }

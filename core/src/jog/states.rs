@@ -62,6 +62,10 @@ pub enum When {
     Inactive,
     /// The activation screen is needed.
     ToActivate,
+    /// The user stores each point after its touch (up to SW 6.2).
+    ByHand,
+    /// As before, and as many are stored as can make a corner.
+    Enough,
 }
 
 /// What a row does.
@@ -75,6 +79,10 @@ pub enum Does {
     Measure,
     /// Stores the point: its softkey becomes black.
     Store,
+    /// The point is found and waits to be stored.
+    Hold,
+    /// Stores the point that waits, which is the next in order.
+    Keep,
     /// Shows the result, writes the zero offset.
     Write,
     /// Cancels: the point stays grey, those stored before it stay.
@@ -130,6 +138,7 @@ pub const ROWS: &[Row] = &{
         row(Mask, Key::Field, Always, Does::Change, Mask, "B:3963"),
         row(Ready, Key::Field, Always, Does::Change, Ready, "B:3963"),
         row(Mask, Key::Start, When::Measurable, Does::Measure, Busy, "B:3030;B:3082;B:3086"),
+        row(Busy, Key::Done, When::ByHand, Does::Hold, Mask, "A:3181-3188"),
         row(Busy, Key::Done, When::More, Does::Store, Mask, "B:3084;B:2806-2817"),
         row(Busy, Key::Done, When::Complete, Does::Write, Mask, "B:3034"),
         row(Busy, Key::Done, When::Inactive, Does::Write, Activate, "B:3034;B:3802-3806"),
@@ -137,6 +146,8 @@ pub const ROWS: &[Row] = &{
         row(Busy, Key::Reset, Always, Does::Cancel, Mask, "B:2602"),
         row(Busy, Key::Failed, Always, Does::Raise, Alarm, "A:15817"),
         row(Alarm, Key::Reset, Always, Does::Acknowledge, Mask, "A:15830"),
+        row(Mask, Key::Point, When::ByHand, Does::Keep, Mask, "A:3188;A:3198"),
+        row(Mask, Key::Calculate, When::Enough, Does::Write, Mask, "A:3190-3200"),
         row(Mask, Key::Point, Always, Does::Reject, Mask, "B:3684-3688;B:2797-2804"),
         row(Ready, Key::Point, Always, Does::Reject, Mask, "B:3684-3688;B:2797-2804"),
         row(Ready, Key::Calculate, When::ToActivate, Does::Write, Activate, "B:3722;B:3802-3806"),

@@ -2,6 +2,7 @@
 //! terminal the help of one.
 
 use crate::catalogue::alarms;
+use crate::control::OLDER_JOG;
 use crate::diagnostic::Code;
 use crate::jog::help::{Line, alarms as raised, help};
 use crate::jog::mask::{Field, Kind, Least, Mask, Show, key};
@@ -29,6 +30,9 @@ pub fn page(words: &Words) -> String {
         }
         function.masks.iter().for_each(|mask| section(&mut text, mask, words));
     }
+    line(&mut text, &format!("## {}", words.key("report-jog-older")));
+    line(&mut text, &words.key("report-jog-older-intro"));
+    masks::all().filter(|mask| mask.older.is_some()).for_each(|mask| section(&mut text, mask, words));
     let known: BTreeSet<Code> = masks::all().flat_map(raised).collect();
     let cells = |code: Code| {
         let key = alarms::key(code);
@@ -71,7 +75,9 @@ fn section(text: &mut String, mask: &'static Mask, words: &Words) {
 
 /// The mask as it is opened on the machine to practise on.
 fn opened(mask: &'static Mask) -> Session {
-    let mut session = Session::new(&machine(piece(mask)));
+    let mut setup = machine(piece(mask));
+    setup.control.set(OLDER_JOG, f64::from(u8::from(mask.older.is_some())));
+    let mut session = Session::new(&setup);
     // every mask that is listed can be opened from the bar
     let _ = session.press(Input::Function(mask.name));
     session

@@ -5,7 +5,7 @@ use super::said;
 use crate::control::gud::{Block, Element, Gud, Initial, Kind, Subject, System, Unit};
 use crate::control::machine_data::{MACHINE_DATA, MachineDatum};
 use crate::control::nct_data::NctDatum;
-use crate::control::{gud, nct_data};
+use crate::control::{OLDER_JOG, gud, nct_data};
 use crate::manual::Cited;
 use crate::message::Message;
 use crate::program::user_programs;
@@ -33,14 +33,18 @@ pub fn page(words: &Words) -> String {
 fn user_data(text: &mut String, subject: &'static Subject, words: &Words) {
     let title = words.key(format!("machine-group-{}", subject.key));
     let columns = ["name", "meaning", "block", "type", "default", "unit", "range", "source"];
-    let own = (subject.key == gud::MASKS).then(|| forms(words));
+    let own = match subject.key {
+        gud::MASKS => Some(ours(support::FORMS, support::FORMS_KEY, words)),
+        gud::JOG => Some(ours(OLDER_JOG, "datum-pw-jog", words)),
+        _ => None,
+    };
     let of_datum = |gud: &'static Gud| gud.elements.iter().map(move |element| cells(gud, element, words));
     table(text, &title, columns, own.into_iter().chain(subject.data.iter().flat_map(of_datum)), words);
 }
 
-/// The setting of ours that lets the masks count.
-fn forms(words: &Words) -> [String; 8] {
-    let (name, meaning) = (format!("`{}`", support::FORMS), meaning(support::FORMS_KEY, &[0, 1], words));
+/// A setting of ours that is 0 or 1.
+fn ours(name: &str, key: &str, words: &Words) -> [String; 8] {
+    let (name, meaning) = (format!("`{name}`"), meaning(key, &[0, 1], words));
     [&name, &meaning, &words.key("report-own-setting"), "", "0", "", "", ""].map(str::to_owned)
 }
 

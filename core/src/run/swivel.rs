@@ -6,7 +6,7 @@
 use super::{Call, Datum, Halt, Interpreter, contour, noted, transformed::Axes, unread};
 use crate::control::Frame;
 use crate::geometry::rigid::{angles, rotation};
-use crate::geometry::{Degrees, Rpy, V3};
+use crate::geometry::{Degrees, Rpy};
 use crate::problem::Problem;
 use crate::program::of_control::SWIVEL;
 
@@ -45,7 +45,8 @@ pub fn swivel(run: &mut Interpreter, call: &Call) -> Result<(), Halt> {
     if call.arg(DIRECTION) == Some(&Datum::Number(0.0)) {
         return Ok(());
     }
-    let (turns, table) = planned(run, call)?;
+    let planned = run.sim.control.swivelled();
+    let (turns, table) = planned.ok_or_else(|| Problem::new("run-shear", call.span, SWIVEL))?;
     for (axis, to) in turns.into_iter().enumerate() {
         if run.sim.control.rotary[axis] != to {
             run.sim.turn_table(axis, to).map_err(Halt::at(call.span))?;
@@ -92,21 +93,11 @@ fn turned(mode: i64, given: [f64; 3]) -> Option<Frame> {
     Some(Frame { rotation: angles(&turn), ..Frame::default() })
 }
 
-/// Where the rotary axes go, and the frame that turns with the table.
-fn planned(run: &mut Interpreter, call: &Call) -> Result<([Degrees; 3], Frame), Problem> {
-    let control = &mut run.sim.control;
-    control.part_frame = Frame::default();
-    let total = control.total_frame().ok_or_else(|| Problem::new("run-shear", call.span, SWIVEL))?;
-    let turn = rotation(total.rotation).inverse();
-    let centre = V3::from(control.rotary_centre);
-    let table = Frame { coarse: (centre - turn * centre).into(), rotation: angles(&turn), ..Frame::default() };
-    Ok((total.rotation.map(Degrees), table))
-}
-
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
+    use crate::geometry::V3;
 
     // oracle: hand (57 is 11 10 01: about X, then Y, then Z; 27 is 01 10 11: about Z, then Y, then X)
     #[test]

@@ -4,7 +4,7 @@ use super::draw::{Drawn, Passed, hold, measuring, milling};
 use super::stand::{Stand, stand, stand_in};
 use super::view::{View, differs};
 use probewright_core::control::Units;
-use probewright_core::entry::factor;
+use probewright_core::entry::{factor, names};
 use probewright_core::machine::trace::Step;
 use probewright_core::run::Outcome;
 use proptest::prelude::*;
@@ -48,14 +48,18 @@ fn follows(view: View, drawn: &Drawn, here: &Stand) -> Result<Passed, TestCaseEr
     Ok(stopped(&here))
 }
 
-// oracle: self (which axis is called X, Y and Z is a matter of names: the plane goes along, and with it everything)
+// oracle: self (which axis is called X, Y and Z is a matter of names: the plane goes along, and with it everything, but
+// for the order in which a frame turns about both axes of the plane, which is by name)
 #[test]
 fn the_plane_changes_nothing() {
     hold(milling(), 12, |drawn| {
-        let here = match stand(drawn) {
+        let mut here = match stand(drawn) {
             Ok(here) => here,
             Err(refused) => return Ok(Some(refused)),
         };
+        if drawn.cycle == "CYCLE998" && drawn.variant % 10 == 6 {
+            here.inputs.numbers.insert(names::KNUM, 0.0);
+        }
         follows(View::Renamed(1), drawn, &here)?;
         follows(View::Renamed(2), drawn, &here)
     });

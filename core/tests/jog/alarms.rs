@@ -2,8 +2,7 @@
 
 use super::{block, machine, open, stand};
 use probewright_core::diagnostic::Code;
-use probewright_core::jog::help;
-use probewright_core::jog::{Input, Session, State};
+use probewright_core::jog::{Input, Session, State, help, masks};
 use probewright_core::machine::{Setup, Stop};
 use probewright_core::workpiece::Shape;
 
@@ -46,6 +45,10 @@ fn an_edge_raises_each() {
     assert_eq!(edge(set("_WP[0,9]", 18.0), -20.0), 61341);
     assert_eq!(edge(set("_WP[0,2]", 3.0), -20.0), 61341);
     assert_eq!(edge(|setup| setup.control.limits.plus[0] = Some(-10.0), -20.0), 61401);
+    // A:15878, A:15883, A:15935: a geometry axis without channel axis, the software of the control, the size of _WP[]
+    assert_eq!(edge(set("MD20050[1]", 0.0), -20.0), 61336);
+    assert_eq!(edge(|setup| drop(setup.control.data.remove("_SI[1]")), -20.0), 61342);
+    assert_eq!(edge(set("_CVAL[1]", 4.0), -20.0), 61416);
     let mono = |setup: &mut Setup| {
         setup.control.set("_JM_I[1]", 101.0);
         setup.control.spindle_positions = false;
@@ -108,6 +111,9 @@ fn tools_raise_their_own() {
     assert_eq!(tool(&nothing, "tool_radius", [-300.0, 300.0, 100.0]), 61332);
     assert_eq!(tool(&nothing, "tool_cal", [300.0, 300.0, 500.0]), 61301);
     assert_eq!(tool(&|setup| setup.control.set("_JM_I[2]", 9.0), "tool_cal", [0.0, 0.0, 500.0]), 61313);
+    // A:15892: data that make no feed
+    let still = |setup: &mut Setup| setup.control.set("E_MESS_MAX_S", 0.0);
+    assert_eq!(tool(&still, "tool_radius", [300.0, 300.0, 100.0]), 61350);
     let probe = |setup: &mut Setup| assert!(setup.control.set_variable("$TC_DP1[1,1]", 710.0));
     assert_eq!(tool(&probe, "tool_cal", [0.0, 0.0, 500.0]), 61314);
 }
@@ -168,4 +174,15 @@ fn a_ball_that_does_not_fit_is_told() {
     session.carry_out(Input::Start).unwrap();
     let Some(Stop::Fault(message)) = session.stopped() else { panic!("{:?}", session.stopped()) };
     assert_eq!(message.key, "jog-ball");
+}
+
+// oracle: self: each alarm that the help of a mask names is raised in this file
+#[test]
+fn every_alarm_that_can_come_is_raised() {
+    let raised = include_str!("alarms.rs");
+    for mask in masks::all() {
+        for code in help::alarms(mask) {
+            assert!(raised.contains(&code.to_string()), "{} {code}", mask.name);
+        }
+    }
 }

@@ -33,6 +33,7 @@ fn line() -> impl Strategy<Value = String> {
             .prop_map(|(word, axis, value)| format!("{word} {axis}{value}")),
         8 => prop::sample::select(alone.to_vec()).prop_map(str::to_owned),
         1 => (0..6_usize).prop_map(|number| format!("reject P{number}")),
+        1 => (0..6_usize).prop_map(|number| format!("store P{number}")),
         2 => (prop::sample::select(DATA.to_vec()), number()).prop_map(|(name, value)| format!("set {name} = {value}")),
         1 => (0..12_i64, 0..3_i64).prop_map(|(tool, edge)| format!("tool T{tool} D{edge}")),
     ]

@@ -7,6 +7,8 @@ mod alarms;
 mod as_program;
 mod hostile;
 mod loops;
+mod messages;
+mod older;
 mod on_the_machine;
 mod practice;
 mod printed;

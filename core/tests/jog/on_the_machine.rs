@@ -15,6 +15,7 @@ fn asked(mask: &str, lines: &[String]) -> PracticeRequest {
         script: [&[format!("mask {mask}")], lines].concat().join("\n"),
         seed: None,
         part: None,
+        hides: false,
     }
 }
 

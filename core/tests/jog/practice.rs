@@ -10,7 +10,8 @@ use probewright_core::jog::{State, masks};
 
 fn asked(piece: Piece, script: &str) -> PracticeRequest {
     let control = Dialect::Sinumerik;
-    PracticeRequest { control, setup: None, piece: Some(piece), script: script.to_owned(), seed: None, part: None }
+    let (setup, piece, script) = (None, Some(piece), script.to_owned());
+    PracticeRequest { control, setup, piece, script, seed: None, part: None, hides: false }
 }
 
 fn seen(asked: PracticeRequest) -> PracticeView {
@@ -78,7 +79,8 @@ fn a_wrong_calibration_shows() {
 #[test]
 fn each_mask_opens_on_its_piece() {
     for mask in masks::all() {
-        let view = seen(asked(piece(mask), &format!("mask {}", mask.name)));
+        let version = u8::from(mask.older.is_some());
+        let view = seen(asked(piece(mask), &format!("set PW-JOG = {version}\nmask {}", mask.name)));
         assert_eq!((view.state, view.refused), (State::Mask, None), "{}", mask.name);
         let open = view.mask.unwrap();
         assert_eq!((open.name, open.fields.is_empty()), (mask.name, false));
@@ -177,6 +179,51 @@ fn what_would_go_wrong_is_told() {
     // in the menu, and where a field is wrong, there is nothing to tell
     assert_eq!(seen(asked(Piece::Block, "")).ahead, None);
     assert_eq!(seen(asked(Piece::Hole, "mask cal_radius\nset E_MESS_CAL_D[0] = 0\n<<\nmask cal_radius\n")).ahead, None);
+}
+
+// oracle: definition: while nobody is to know how the part lies, what is told is the same however it lies
+#[test]
+fn what_is_hidden_is_not_told_ahead() {
+    let start = |script: &'static str| script.split_once("start\n").unwrap().0;
+    let last = CORNER.strip_suffix("start\ncalculate\n").unwrap();
+    for (piece, script) in [
+        (Piece::Block, start(EDGE)),
+        (Piece::Block, start(CORNER)),
+        (Piece::Block, last),
+        (Piece::Block, "mask set_edge\nmove Z-8\nmove X-300\n"),
+        (Piece::Block, "mask set_edge\nset _WP[0,9] = 18\n"),
+        (Piece::Hole, "mask hole_1\nzo = G55\ndiameter = 40\nmove Z-8\n"),
+        (Piece::Hole, "mask cal_radius\nd = 40\nmove Z-8\n"),
+    ] {
+        let told =
+            |seed| seen(PracticeRequest { seed: Some(seed), hides: true, ..asked(piece, script) }).ahead.unwrap();
+        let first = told(1);
+        assert!((2..8).all(|seed| told(seed) == first), "{script}");
+        assert!(first.touches.is_empty() && first.results.is_empty() && first.changes.is_empty(), "{script}");
+    }
+}
+
+// oracle: hand: the point that is stored, the zero offset and the question follow from the mask; 61341 from the data of
+// the probe (B:13669)
+#[test]
+fn what_the_call_says_is_told_although_the_part_is_hidden() {
+    let told = |script: &str| {
+        let ahead = seen(PracticeRequest { seed: Some(3), hides: true, ..asked(Piece::Block, script) }).ahead.unwrap();
+        let hidden = ahead.hidden.clone().unwrap();
+        let shows = hidden.shows.iter().map(|one| one.key.clone().into_owned()).collect::<Vec<_>>();
+        (ahead, shows, hidden.corrects)
+    };
+    let (ahead, shows, corrects) = told(EDGE.strip_suffix("start\n").unwrap());
+    assert_eq!((ahead.point, ahead.activates, ahead.raised), (None, true, None));
+    assert_eq!((shows, corrects.as_deref()), (vec!["jog-result-meas-x0".to_owned()], Some("G54")));
+    let (ahead, shows, corrects) = told("mask corner_right\nzo = none\nmove Y-25\nmove X20\nmove Z-8\n");
+    assert_eq!((ahead.point.as_deref(), ahead.activates, shows.len(), corrects), (Some("P1"), false, 0, None));
+    let (ahead, shows, _) = told("mask set_edge\nzo = G54\nset _WP[0,9] = 18\n");
+    assert_eq!((ahead.raised.unwrap().code, ahead.activates, shows.len()), ("61341".into(), false, 0));
+    // what Calculate would do follows from points that are on the screen
+    let script = CORNER.strip_suffix("calculate\n").unwrap();
+    let ready = seen(PracticeRequest { seed: Some(3), hides: true, ..asked(Piece::Block, script) }).ahead.unwrap();
+    assert!(!ready.start && ready.hidden.is_none() && ready.results.len() == 3);
 }
 
 /// The line that puts the probe in front of a face, or why there is none.

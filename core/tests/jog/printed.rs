@@ -1,7 +1,7 @@
 //! The 49 figures that the manuals print in examples and masks of the chapter.
 
 use super::{data, near, open};
-use probewright_core::control::{Frame, Plane};
+use probewright_core::control::{Frame, Plane, Value as Datum};
 use probewright_core::dialect::Dialect;
 use probewright_core::geometry::{Degrees, Dir, Mcs, Rpy, V3, rigid};
 
@@ -158,6 +158,98 @@ fn example_2_comes_out_as_printed() {
     session.carry_out(Input::Start).unwrap();
     let seen = session.sim.control.direction_to_workpiece(normal);
     (0..3).for_each(|axis| near(seen[axis], f64::from(u8::from(axis == 2)), "normal in the new WCS"));
+}
+
+/// A machine with a swivel table of the axes A and B, a plane on it that leans as example 2 prints it.
+fn on_a_swivel_table() -> (Setup, [[f64; 3]; 3]) {
+    let printed = ["E2-rx", "E2-ry", "E2-rz"].map(figure);
+    let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
+    let mut part = Solid::new(Shape::Block { size: [200.0, 200.0, 40.0] }, Mcs([30.0, -20.0, 10.0]));
+    part.rotation = Rpy(printed);
+    setup.workpiece.solids.push(part);
+    setup.probe.stylus = Some(0.0);
+    for (place, axis) in ["A", "B"].into_iter().enumerate() {
+        let named = Datum::Text(axis.to_owned());
+        setup.control.data.insert(format!("MD20080[{}]", 4 + place), named);
+        setup.control.set(format!("MD30300[{}]", 4 + place), 1.0);
+    }
+    setup.control.rotary_centre = Mcs([0.0, 0.0, -80.0]);
+    (setup, [[30.0, -20.0, 60.0], [90.0, -15.0, 60.0], [40.0, 25.0, 60.0]])
+}
+
+// oracle: manual B:3880-3906: the fields and lines of the screen; the probe is retracted, the table swivels, and the
+// plane lies across the probe: measured again it is level, from where the WCS has gone along
+#[test]
+fn the_probe_is_set_perpendicular_to_the_plane() {
+    let (setup, places) = on_a_swivel_table();
+    let mut session = Session::new(&setup);
+    open(&mut session, "align_plane", &[("zo", "G54")]);
+    for place in places {
+        session.sim.position = Mcs(place);
+        session.carry_out(Input::Start).unwrap();
+    }
+    session.press(Input::Calculate).unwrap();
+    let lines = |session: &Session| -> Vec<String> {
+        let activation = session.activation().unwrap();
+        activation.lines(&session.sim.control).iter().map(|line| line.key.to_string()).collect()
+    };
+    assert_eq!(session.activation().unwrap().fields(), ["activate", "orient", "retract"]);
+    assert_eq!(lines(&session), ["jog-line-tilted", "jog-line-swivels", "jog-line-start"]);
+    session.press(Input::Field("orient", "no")).unwrap();
+    assert_eq!(session.activation().unwrap().fields(), ["activate", "orient"]);
+    assert_eq!(lines(&session), ["jog-line-inactive", "jog-line-start"]);
+    session.press(Input::Field("activate", "no")).unwrap();
+    assert_eq!(session.activation().unwrap().fields(), ["activate"]);
+    for name in ["activate", "orient"] {
+        session.press(Input::Field(name, "yes")).unwrap();
+    }
+    let stood = session.sim.position;
+    session.carry_out(Input::Start).unwrap();
+    assert_eq!(session.state(), State::Mask, "{:?}", session.stopped());
+    let control = &session.sim.control;
+    let swivelled = control.rotary.map(|angle| shown(angle.0));
+    assert_eq!(swivelled, ["E2-rx", "E2-ry", "E2-rz"].map(|id| shown(figure(id))));
+    assert!(session.sim.position[2] > stood[2] && session.sim.position[..2] == stood[..2]);
+    let up = control.direction_to_machine(V3::z().into());
+    (0..3).for_each(|axis| near(up[axis], f64::from(u8::from(axis == 2)), "Z of the WCS"));
+    // the WCS went along with the part
+    let corner = V3::new(30.0, -20.0, 10.0) + rigid::rotation(Rpy(["E2-rx", "E2-ry", "E2-rz"].map(figure))) * V3::x();
+    let centre = V3::from(setup.control.rotary_centre);
+    let turn = rigid::rotation(Rpy(["E2-rx", "E2-ry", "E2-rz"].map(figure))).inverse();
+    let before = {
+        let mut active = setup.control.clone();
+        active.frames.insert(1, control.frames[&1]);
+        active.activate(1);
+        active.to_workpiece(Mcs(corner.into()))
+    };
+    let now = control.to_workpiece(Mcs((turn * (corner - centre) + centre).into()));
+    (0..3).for_each(|axis| near(now[axis], before[axis], "a point of the part"));
+    for place in places {
+        session.sim.position = Mcs(place);
+        session.carry_out(Input::Start).unwrap();
+        assert_ne!(session.state(), State::Alarm, "{:?}", session.stopped());
+    }
+    session.press(Input::Calculate).unwrap();
+    session.outcome().results.iter().for_each(|(name, value)| near(*value, 0.0, name));
+}
+
+// oracle: hand: what turns into the probe that was not retracted stops
+#[test]
+fn a_part_that_swivels_into_the_probe_stops() {
+    let (setup, places) = on_a_swivel_table();
+    let mut session = Session::new(&setup);
+    open(&mut session, "align_plane", &[("zo", "G54")]);
+    for place in places {
+        session.sim.position = Mcs(place);
+        session.carry_out(Input::Start).unwrap();
+    }
+    session.press(Input::Calculate).unwrap();
+    session.press(Input::Field("retract", "no")).unwrap();
+    // beside the side that comes up
+    session.sim.position = Mcs([118.0, -20.0, 25.0]);
+    session.carry_out(Input::Start).unwrap();
+    assert_eq!(session.state(), State::Alarm);
+    assert!(session.stopped().is_some());
 }
 
 // oracle: self: no figure is left out

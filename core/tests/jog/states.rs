@@ -52,6 +52,23 @@ fn black(session: &Session) -> Vec<bool> {
     session.points().iter().map(Option::is_some).collect()
 }
 
+/// The corner up to SW 6.2, so many points stored; the next one is touched and waits.
+fn older_corner(stored: usize) -> Session {
+    let mut setup = block();
+    setup.control.set("PW-JOG", 1.0);
+    let mut session = Session::new(&setup);
+    open(&mut session, "old_corner", &[("zo", "G54"), ("x0", "2")]);
+    let places = [[20.0, -20.0, -5.0], [80.0, -20.0, -5.0], [-20.0, 20.0, -5.0], [-20.0, 60.0, -5.0]];
+    for (number, place) in places.into_iter().take(stored + 1).enumerate() {
+        stand(&mut session, place);
+        start(&mut session);
+        if number < stored {
+            session.press(Input::Point(number + 1)).unwrap();
+        }
+    }
+    session
+}
+
 /// Carries out what a row describes; the state then, and whether it did what the row says.
 fn carried_out(number: usize) -> (State, bool) {
     let row = &ROWS[number];
@@ -89,6 +106,28 @@ fn carried_out(number: usize) -> (State, bool) {
         (State::Mask, Key::Start, Does::Measure) => {
             session.press(Input::Start).unwrap();
             (session.state(), black(&session) == [false, false])
+        }
+        (State::Busy, Key::Done, Does::Hold) => {
+            let session = older_corner(0);
+            (session.state(), session.waits() && black(&session) == [false; 4])
+        }
+        (State::Mask, Key::Point, Does::Keep) => {
+            let mut session = older_corner(1);
+            // in their order, and only what was touched
+            session.press(Input::Point(1)).unwrap_err();
+            session.press(Input::Point(3)).unwrap_err();
+            session.press(Input::Point(2)).unwrap();
+            session.press(Input::Point(3)).unwrap_err();
+            (session.state(), !session.waits() && black(&session) == [true, true, false, false])
+        }
+        (State::Mask, Key::Calculate, Does::Write) => {
+            let mut early = older_corner(2);
+            early.press(Input::Calculate).unwrap_err();
+            let mut session = older_corner(3);
+            session.press(Input::Calculate).unwrap();
+            let written = session.sim.control.stored_frame(Store::Settable(1)).coarse;
+            let grey = black(&session) == [false; 4] && session.activation().is_none();
+            (session.state(), grey && written == [-2.0, 0.0, 0.0] && session.sim.control.settable == 0)
         }
         (State::Busy, Key::Done, Does::Store) if row.to == State::Mask => {
             start(&mut session);
@@ -286,7 +325,7 @@ fn the_activation_screen_says_why_it_is_there() {
         start(&mut session);
     }
     session.press(Input::Calculate).unwrap();
-    assert_eq!(lines(&session), ["jog-line-tilted", "jog-line-start"]);
+    assert_eq!(lines(&session), ["jog-line-tilted", "jog-line-no-swivel", "jog-line-start"]);
     // a rotary axis, which no offset turns
     let session = blocked_table();
     assert_eq!(lines(&session), ["jog-line-inactive", "jog-line-rotary", "jog-line-start"]);

@@ -2,7 +2,7 @@
 
 use super::data;
 use probewright_core::jog::mask::{Kind, Least, Show};
-use probewright_core::jog::{FUNCTIONS, masks};
+use probewright_core::jog::{FUNCTIONS, OLDER, masks};
 use std::collections::BTreeSet;
 
 fn rows(text: &'static str) -> impl Iterator<Item = Vec<&'static str>> {
@@ -48,8 +48,11 @@ fn every_mask_has_the_fields_of_the_control_in_their_order() {
 #[test]
 fn every_function_has_its_masks_points_and_results() {
     assert_eq!(FUNCTIONS.len(), 18);
+    let older = OLDER.iter().filter(|function| function.masks.iter().all(|mask| mask.older.is_some()));
+    assert_eq!((older.clone().count(), OLDER.len()), (6, 9), "tools are measured alike");
     let there: BTreeSet<String> = FUNCTIONS
         .iter()
+        .chain(older)
         .flat_map(|function| {
             function.masks.iter().map(move |mask| {
                 let shows: Vec<&str> = mask

@@ -15,6 +15,7 @@ practice-back = Verlassen (<<)
 practice-points = Punkte
 practice-point-stored = { $point } ist gespeichert. Zum Verwerfen drücken.
 practice-point-grey = { $point } ist nicht gespeichert.
+practice-point-waits = { $point } speichern
 practice-plc = PLC-Bits
 practice-plc-reject = Bit { $bit }: { $point } verwerfen
 practice-plc-on = Bit { $bit } = 1: { $point } gespeichert
@@ -42,6 +43,7 @@ practice-go = Fahren
 practice-spindle = Spindel
 practice-empty = Leer
 practice-offset = Nullpunkt
+practice-version = Messzyklen
 practice-offered = Die aktivierte Nullpunktverschiebung gilt bis zum Wechsel der Betriebsart.
 practice-mode = Betriebsart wechseln
 practice-surprise = Zufällig auflegen

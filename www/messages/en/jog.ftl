@@ -15,6 +15,7 @@ practice-back = Leave (<<)
 practice-points = Points
 practice-point-stored = { $point } is stored. Press to reject it.
 practice-point-grey = { $point } is not stored.
+practice-point-waits = Store { $point }
 practice-plc = PLC bits
 practice-plc-reject = Bit { $bit }: reject { $point }
 practice-plc-on = Bit { $bit } = 1: { $point } is stored
@@ -42,6 +43,7 @@ practice-go = Move
 practice-spindle = Spindle
 practice-empty = Empty
 practice-offset = Zero offset
+practice-version = Measuring cycles
 practice-offered = The activated zero offset is used until you change the mode.
 practice-mode = Change mode
 practice-surprise = Surprise me

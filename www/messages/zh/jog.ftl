@@ -15,6 +15,7 @@ practice-back = 退出 (<<)
 practice-points = 测量点
 practice-point-stored = { $point } 已存储。按下即可丢弃。
 practice-point-grey = { $point } 未存储。
+practice-point-waits = 存储 { $point }
 practice-plc = PLC 位
 practice-plc-reject = 位 { $bit }：丢弃 { $point }
 practice-plc-on = 位 { $bit } = 1：{ $point } 已存储
@@ -42,6 +43,7 @@ practice-go = 移动
 practice-spindle = 主轴
 practice-empty = 空
 practice-offset = 零点偏移
+practice-version = 测量循环
 practice-offered = 在切换运行方式之前，使用已激活的零点偏移。
 practice-mode = 切换运行方式
 practice-surprise = 随机放置

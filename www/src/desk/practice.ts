@@ -29,6 +29,8 @@ export interface Practice {
   call(asked: PracticeCallRequest): boolean;
   /** Whether what the mask means as a program is shown. */
   program(shown: boolean): void;
+  /** Whether everybody may know how the part lies. */
+  reveal(shown: boolean): void;
   change(change: Partial<JogState>): void;
 }
 
@@ -36,7 +38,7 @@ export interface Practice {
 export const practises = (state: State, catalogue: { practises: string[] }): boolean =>
   catalogue.practises.includes(state.form.control);
 
-type Asked = Pick<JogState, "lines" | "seed" | "part" | "piece">;
+type Asked = Pick<JogState, "lines" | "seed" | "part" | "piece" | "revealed">;
 
 /** Where it is told that the probe cannot get in front of a face. */
 export const FACE = "face";
@@ -66,14 +68,16 @@ export function createPractice(store: Store, core: () => ProgramCore | null): Pr
       ...(setup ? { setup } : {}),
       ...(asked.piece ? { piece: asked.piece } : {}),
       script: asked.lines.join("\n"),
+      hides: asked.seed !== null && !asked.revealed,
       ...(asked.seed === null ? { part: asked.part } : { seed: asked.seed }),
     };
   };
   const set = (jog: Partial<JogState>): void => store.update({ jog });
   /** With these lines, as far as they do something. */
   const carryOut = (change: Partial<Asked>, field = ""): void => {
-    const { lines, seed, part, piece } = { ...store.state.jog, ...change };
-    const seen = core()?.practise(requestOf({ lines, seed, part, piece }));
+    const asked = { ...store.state.jog, ...change };
+    const { lines, seed, part, piece, revealed } = asked;
+    const seen = core()?.practise(requestOf(asked));
     if (!seen) return;
     const { refused } = seen;
     const last = refused ? (lines[refused.line - 1] ?? "") : "";
@@ -84,9 +88,10 @@ export function createPractice(store: Store, core: () => ProgramCore | null): Pr
     const done = refused ? lines.slice(0, refused.line - 1) : lines;
     const why = refused ? { ...refused, field, text: last } : null;
     const program =
-      store.state.jog.program && (core()?.asProgram(requestOf({ lines: done, seed, part, piece })) ?? null);
+      store.state.jog.program && (core()?.asProgram(requestOf({ ...asked, lines: done })) ?? null);
     const told = seen.mask ? store.state.jog.told : [];
-    set({ lines: done, seed, part, piece, seen, refused: why, told, program, setup: profile(store.state) ?? null });
+    const setup = profile(store.state) ?? null;
+    set({ lines: done, seed, part, piece, revealed, seen, refused: why, told, program, setup });
   };
   const press = (line: string, field = ""): void => carryOut({ lines: [...store.state.jog.lines, line] }, field);
   return {
@@ -122,8 +127,7 @@ export function createPractice(store: Store, core: () => ProgramCore | null): Pr
       const mask = store.state.jog.seen?.mask;
       const lines = mask ? [`mask ${mask.name}`] : [];
       const lies = typeof part === "number" ? { seed: part, part: AS_SET_UP } : { seed: null, part };
-      carryOut({ lines, ...lies });
-      set({ revealed: typeof part !== "number" });
+      carryOut({ lines, ...lies, revealed: typeof part !== "number" });
     },
     take(text) {
       const laid: Record<string, string | undefined> = LAID.exec(text)?.groups ?? {};
@@ -144,8 +148,7 @@ export function createPractice(store: Store, core: () => ProgramCore | null): Pr
         .split(/\r\n?|\n/)
         .map(line => line.replace(/[;#].*$/, "").trim())
         .filter(line => line);
-      carryOut({ lines, seed: seed ? Number(seed) : null, part, piece });
-      set({ revealed: !seed });
+      carryOut({ lines, seed: seed ? Number(seed) : null, part, piece, revealed: !seed });
     },
     call(asked) {
       const found = core()?.asMask(asked);
@@ -158,9 +161,9 @@ export function createPractice(store: Store, core: () => ProgramCore | null): Pr
       return true;
     },
     program(shown) {
-      const { lines, seed, part, piece } = store.state.jog;
-      set({ program: shown ? (core()?.asProgram(requestOf({ lines, seed, part, piece })) ?? null) : null });
+      set({ program: shown ? (core()?.asProgram(requestOf(store.state.jog)) ?? null) : null });
     },
+    reveal: revealed => carryOut({ revealed }),
     change: set,
   };
 }

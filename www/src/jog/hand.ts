@@ -122,6 +122,7 @@ export function createHand(root: HTMLElement, practice: Practice, stop: AbortSig
     html`
       <div class="jog-setup">
         ${used("jog-tool", t("practice-spindle"), seen.machine.tools)}
+        ${used("jog-version", t("practice-version"), seen.machine.versions)}
         ${used("jog-plane", t("fact-plane"), seen.machine.planes)}
         ${used("jog-offset", t("practice-offset"), seen.machine.offsets, seen.machine.offered)}
         ${

@@ -169,7 +169,7 @@ function toDo(mask: PracticeMask, practice: Practice): TemplateResult {
 /** What the next key would do from here. */
 function ahead({ ahead: next, raised: now }: PracticeView): TemplateResult | typeof nothing {
   if (!next || now) return nothing;
-  const { start, point, touches, raised: why, refused, notes, results: shown, changes, activates } = next;
+  const { start, point, touches, raised: why, refused, notes, results: shown, changes, activates, hidden } = next;
   const place = (at: readonly number[]): string =>
     `${at.map((value, axis) => `${"XYZ".charAt(axis)} ${fixed(value, 3)}`).join(", ")} ${t("unit-mm")}`;
   const item = (kind: string, text: string): { kind: string; text: string } => ({ kind, text });
@@ -189,6 +189,8 @@ function ahead({ ahead: next, raised: now }: PracticeView): TemplateResult | typ
         t("jog-ahead-write", { label: say(label), before: plain(before, 3), after: plain(after, 3) + ofUnit(unit) }),
       ),
     ),
+    ...(hidden?.shows ?? []).map(label => item("show", t("jog-ahead-shown", { label: say(label) }))),
+    ...(hidden?.corrects ? [item("write", t("jog-ahead-corrects", { offset: hidden.corrects }))] : []),
     ...(shown.length && !changes.length ? [item("nothing", t("jog-ahead-nothing"))] : []),
     ...(activates ? [item("activate", t("jog-ahead-activates"))] : []),
   ];
@@ -198,6 +200,7 @@ function ahead({ ahead: next, raised: now }: PracticeView): TemplateResult | typ
       <ul>
         ${items.map(({ kind, text }) => html`<li data-ahead=${kind}>${text}</li>`)}
       </ul>
+      ${hidden ? html`<p class="jog-quiet">${t("jog-ahead-hidden")}</p>` : nothing}
     </section>
   `;
 }
@@ -263,6 +266,10 @@ function told(message: Message, words: string): string {
   return say({ ...message, args: { ...message.args, ...("field" in message.args ? { field: words } : {}) } });
 }
 
+/** What a softkey P1 to P4 says of its point. */
+const meaning = ({ stored, waits }: PracticePoint): string =>
+  stored ? "practice-point-stored" : waits ? "practice-point-waits" : "practice-point-grey";
+
 /** P1 to P4: black once stored; one that is black is rejected. Beside them the bits of the PLC. */
 function softkeys({ points, plc, machine }: PracticeView, practice: Practice): TemplateResult {
   return html`
@@ -273,11 +280,12 @@ function softkeys({ points, plc, machine }: PracticeView, practice: Practice): T
             type="button"
             class="jog-point"
             data-stored=${String(!!point.stored)}
-            aria-label=${t(point.stored ? "practice-point-stored" : "practice-point-grey", { point: point.name })}
-            title=${placeOf(point, machine.axes) || t("practice-point-grey", { point: point.name })}
-            @click=${() => practice.press(`reject ${point.name}`)}
+            data-waits=${String(point.waits)}
+            aria-label=${t(meaning(point), { point: point.name })}
+            title=${placeOf(point, machine.axes) || t(meaning(point), { point: point.name })}
+            @click=${() => practice.press(point.line)}
           >
-            ${point.name}
+            ${point.waits ? t("practice-point-waits", { point: point.name }) : point.name}
           </button>
         `,
       )}

@@ -97,7 +97,7 @@ export function createPart(root: HTMLElement, practice: Practice): (state: State
                     type="button"
                     aria-pressed=${String(jog.revealed)}
                     class="jog-reveal"
-                    @click=${() => practice.change({ revealed: !jog.revealed })}
+                    @click=${() => practice.reveal(!jog.revealed)}
                   >
                     ${t("practice-reveal")}
                   </button>

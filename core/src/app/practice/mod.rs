@@ -12,7 +12,7 @@ pub use view::{
 };
 
 use super::Error;
-use super::ahead::ahead;
+use super::ahead::{ahead, hidden};
 use super::changes::Change;
 use super::jog::{act, changed, note};
 use super::outcome::Raised;
@@ -38,8 +38,9 @@ use crate::scene::Source;
 /// # Errors
 /// A control that does not measure in JOG, or a machine that cannot be.
 pub fn practise(asked: PracticeRequest) -> Result<(PracticeView, Source), Error> {
+    let hides = asked.hides;
     let (stands, course, refused) = carried_out(asked)?;
-    Ok(course.seen(stands, refused))
+    Ok(course.seen(stands, refused, hides))
 }
 
 /// How the probe gets in front of a face of the part.
@@ -185,11 +186,11 @@ impl Course {
         Ok(())
     }
 
-    fn seen(self, stands: Stands, refused: Option<PracticeRefusal>) -> (PracticeView, Source) {
+    fn seen(self, stands: Stands, refused: Option<PracticeRefusal>, hides: bool) -> (PracticeView, Source) {
         let session = &self.session;
         let (setup, first) = self.begun;
         let view = PracticeView {
-            areas: screen::areas(),
+            areas: screen::areas(&session.sim.control),
             state: session.state(),
             refused,
             raised: session.stopped().map(|stop| match Raised::stop(stop) {
@@ -204,7 +205,7 @@ impl Course {
             plc: session.plc(),
             machine: screen::machine(session),
             piece: stands.piece,
-            ahead: ahead(session),
+            ahead: if hides { hidden(session) } else { ahead(session) },
             truth: self.truth,
             deviation: self.deviation.map(|(store, deviation)| screen::told(&session.sim.control, store, deviation)),
             changes: self.changes,

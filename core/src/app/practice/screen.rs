@@ -7,22 +7,22 @@ use super::view::{
 };
 use crate::app::help::{HelpSection, HelpText};
 use crate::app::jog::stored;
-use crate::control::{AXES, Control, Plane, ROTARY, Store};
-use crate::jog::activation::Activation;
+use crate::control::{AXES, Control, OLDER_JOG, Plane, ROTARY, Store};
+use crate::jog::activation::{Activation, choices};
 use crate::jog::help::{self, Line};
 use crate::jog::mask::{Area, Field, Function, Kind, Mask, Show, key};
 use crate::jog::practice::piece;
 use crate::jog::shadow::Deviation;
 use crate::jog::states::Key;
 use crate::jog::values::{Value, words};
-use crate::jog::{FUNCTIONS, Session, settings};
+use crate::jog::{Session, masks, settings};
 use crate::manual::Cited;
 use crate::message::Message;
 
 /// The functions under their softkeys.
-pub(super) fn areas() -> Vec<PracticeArea> {
+pub(super) fn areas(control: &Control) -> Vec<PracticeArea> {
     let mut areas: Vec<(Area, PracticeArea)> = Vec::new();
-    for function in FUNCTIONS {
+    for function in masks::offered(control) {
         let entry = listed(function);
         match areas.iter_mut().find(|(area, _)| *area == function.area) {
             Some((_, area)) => area.functions.push(entry),
@@ -153,7 +153,7 @@ pub(super) fn activation(session: &Session, screen: &Activation) -> PracticeActi
         label: Message::new(key("field", name)),
         unit: "",
         value: screen.values.get(name).cloned().unwrap_or(Value::Word(String::new())),
-        choices: crate::jog::activation::YES.map(|word| choice(control, word.to_owned())).into(),
+        choices: choices(name).map(|word| choice(control, word.to_owned())).into(),
         wrong: None,
     };
     PracticeActivation { lines: screen.lines(control), fields: screen.fields().into_iter().map(one).collect() }
@@ -172,7 +172,9 @@ pub(super) fn points(session: &Session) -> Vec<PracticePoint> {
     let one = |number: usize| {
         let name = format!("P{}", number + 1);
         let stored = known.next_if(|point| point.name == name);
-        PracticePoint { name, stored }
+        let waits = session.waits() && session.points().iter().position(Option::is_none) == Some(number);
+        let line = format!("{} {name}", if session.kept_by_hand() { "store" } else { "reject" });
+        PracticePoint { name, stored, waits, line }
     };
     (0..if several { session.points().len() } else { 0 }).map(one).collect()
 }
@@ -203,11 +205,18 @@ pub(super) fn machine(session: &Session) -> PracticeMachine {
         data.edges.keys().map(one).collect::<Vec<_>>()
     });
     let [abscissa, ordinate, _] = plane.axes();
+    let older = settings::older(control);
+    let versions = [("SW 6.3 +", false), ("SW 6.2 \u{2212}", true)].map(|(name, is)| PracticeUse {
+        name: name.to_owned(),
+        line: format!("set {OLDER_JOG} = {}", u8::from(is)),
+        used: older == is,
+    });
     PracticeMachine {
         wcs: measuring.to_workpiece(sim.position).0,
         mcs: sim.position.0,
         active: control.make().settable_name(control.settable),
         axes: [abscissa, ordinate].map(|axis| AXES[axis]),
+        versions: versions.into(),
         planes: planes.into(),
         offsets: offsets.collect(),
         offered: session.offers(),

@@ -32,6 +32,9 @@ pub struct PracticeRequest {
     pub seed: Option<u32>,
     /// How the part lies: displacement, size and tilt; absent: as in the setup.
     pub part: Option<PartSliders>,
+    /// Nobody is to know yet how the part lies: what the next key would do is told as far as the call says it.
+    #[serde(default)]
+    pub hides: bool,
 }
 
 /// A face of the part in front of which the probe is put.
@@ -258,6 +261,10 @@ pub struct PracticePoint {
     /// What is stored; absent: the softkey is grey.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub stored: Option<JogPoint>,
+    /// Whether it was touched and waits to be stored.
+    pub waits: bool,
+    /// The line of a script that presses it.
+    pub line: String,
 }
 
 /// The machine.
@@ -272,6 +279,8 @@ pub struct PracticeMachine {
     pub active: String,
     /// Letters of the axes of the plane in which is measured.
     pub axes: [&'static str; 2],
+    /// Versions of the measuring cycles by which the masks are: from SW 6.3, up to SW 6.2.
+    pub versions: Vec<PracticeUse>,
     /// Planes in which can be measured.
     pub planes: Vec<PracticeUse>,
     /// Zero offsets that can be in use while measuring.

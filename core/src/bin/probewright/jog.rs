@@ -3,11 +3,11 @@
 use crate::file;
 use crate::file::Problem;
 use probewright_core::app::{self, Change, JogAhead, JogLine, JogResult, JogView, JogWrong, Raised};
-use probewright_core::control::{AXES, Control, delivery};
+use probewright_core::control::{AXES, Control, OLDER_JOG, delivery};
 use probewright_core::dialect::Dialect;
 use probewright_core::jog::mask::{Field, Mask, key};
 use probewright_core::jog::values::{Values, words as choices};
-use probewright_core::jog::{FUNCTIONS, State};
+use probewright_core::jog::{State, masks};
 use probewright_core::json;
 use probewright_core::machine::Setup;
 use probewright_core::message::Message;
@@ -201,8 +201,9 @@ fn told_ahead(ahead: Option<&JogAhead>, words: &Words) -> Vec<String> {
 
 /// The masks, with their fields and what these take.
 fn list(words: &Words, out: &mut dyn Write) -> std::io::Result<()> {
-    let control = delivery(Dialect::Sinumerik);
-    for mask in FUNCTIONS.iter().flat_map(|function| function.masks) {
+    for mask in masks::all() {
+        let mut control = delivery(Dialect::Sinumerik);
+        control.set(OLDER_JOG, f64::from(u8::from(mask.older.is_some())));
         writeln!(out, "{:14} {}", mask.name, words.key(key("mask", mask.name)))?;
         for field in mask.fields {
             writeln!(out, "{:14} {}", "", words.text(&takes(mask, field, &control, words)))?;

@@ -6,9 +6,10 @@ use super::params::ONE;
 use crate::catalogue::place::in_plane;
 use crate::catalogue::prelude::*;
 use crate::catalogue::sinumerik::correct;
+use crate::evaluate::level;
 use crate::evaluate::zero_offset;
 use crate::evaluate::zero_offset::Target;
-use crate::geometry::{Degrees, Rpy, V3, rigid};
+use crate::geometry::{Degrees, Rpy, rigid};
 use nalgebra::Rotation3;
 
 /// Where the angle goes.
@@ -58,18 +59,19 @@ impl Correction {
 
     fn two(&self, machine: &mut dyn Machine, surface: &Surface, wrong: &[f64]) {
         let control = machine.control();
-        let normal = |wrong: &[f64]| V3::from(in_plane(control, surface.normal(wrong).into()));
+        let axes = control.plane.axes();
+        let normal = |wrong: &[f64]| in_plane(control, surface.normal(wrong).into());
         let (wanted, actual) = (normal(&[0.0; 2]), normal(wrong));
-        let seen = match &self.target {
-            Some(target) => zero_offset::seen(control, target, actual.into()).into(),
-            None => actual,
+        let Some(target) = self.target else {
+            let turn = level::tilt(control.plane, &wanted.into(), &actual.into(), &Rotation3::identity());
+            return added(machine, axes, turn);
         };
-        let turn = rigid::between(&wanted, &seen);
-        let angles = rigid::angles(&turn);
-        for (index, axis) in control.plane.axes().into_iter().enumerate() {
-            results::angle(machine, 21 + index, angles[axis]);
-        }
-        self.turn(machine, &turn);
+        let before = control.stored_frame(target.store).rotation;
+        let seen = zero_offset::seen(control, &target, actual);
+        let rotation = zero_offset::levelled(control, &target, wanted, seen);
+        let writes = zero_offset::turned(control, &target, rotation);
+        added(machine, axes, Rpy(std::array::from_fn(|axis| rotation[axis] - before[axis])));
+        correct::frame(machine, &target, &writes);
     }
 
     /// Turns the frame, where there is one.
@@ -79,6 +81,15 @@ impl Correction {
             let writes = zero_offset::turned(control, &target, zero_offset::rotation(control, &target, turn));
             correct::frame(machine, &target, &writes);
         }
+    }
+}
+
+/// Reports what is added to the rotation of a frame about abscissa, ordinate and applicate, from -180 to 180 degree
+/// (B:7339-7348).
+fn added(machine: &mut dyn Machine, axes: [usize; 3], turn: Rpy) {
+    for (index, axis) in axes.into_iter().enumerate() {
+        let angle = turn[axis];
+        results::angle(machine, 21 + index, angle - 360.0 * (angle / 360.0).round());
     }
 }
 

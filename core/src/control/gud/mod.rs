@@ -89,6 +89,8 @@ pub(super) const fn subject<D>(key: &'static str, data: &'static [D]) -> Subject
 
 /// Key of the subject of the support in the program editor.
 pub const MASKS: &str = "masks";
+/// Key of the subject with the data of measuring in JOG.
+pub const JOG: &str = "jog";
 
 /// Everything, in the order in which it is shown.
 pub const SUBJECTS: &[Subject] = &[
@@ -103,7 +105,7 @@ pub const SUBJECTS: &[Subject] = &[
     subject(MASKS, settings::MASKS),
     subject("logging", logging::DATA),
     subject("simulation", settings::SIMULATION),
-    subject("jog", jog::DATA),
+    subject(JOG, jog::DATA),
     subject("jog-settings", jog::SETTINGS),
     subject("parameters", parameters::DATA),
     subject("results", parameters::RESULTS),

@@ -26,7 +26,8 @@ pub fn rotation(control: &Control, target: &Target, turn: &Rotation3<f64>) -> Rp
 }
 
 /// Rotation of the frame to correct after which a surface with the normal `seen`, which [`seen`] gives, has the normal
-/// `wanted`: turned about abscissa and ordinate, about the applicate as the frame is ([`level`]).
+/// `wanted`: turned about abscissa and ordinate, about the applicate as the frame is ([`level`]); where frames behind
+/// it lean so far that no such rotation gets there, the smallest turn more.
 pub fn levelled(control: &Control, target: &Target, wanted: [f64; 3], seen: [f64; 3]) -> Rpy {
     let (_, old, after) = around(control, target);
     let inner = of(&[Frame { rotation: Rpy::default(), ..old }]) * of(&after);
@@ -34,8 +35,10 @@ pub fn levelled(control: &Control, target: &Target, wanted: [f64; 3], seen: [f64
     let [.., applicate] = control.plane.axes();
     let heading = rigid::rotation(Rpy::about(applicate, level::heading(control.plane, &before)));
     let [wanted, seen]: [V3; 2] = [wanted, seen].map(|normal| inner * V3::from(normal));
-    let tilt = level::tilt(control.plane, &wanted, &(heading.inverse() * (before * seen)));
-    changed(&old, &(heading * rigid::rotation(tilt)))
+    let (there, tilted) = (before * seen, heading.inverse() * before);
+    let reached = heading * rigid::rotation(level::tilt(control.plane, &wanted, &(tilted * seen), &tilted));
+    let rest = rigid::between(&(reached * wanted), &there);
+    changed(&old, &if rest.angle() < level::SAME { reached } else { rest * reached })
 }
 
 /// Angles of a rotation; where one is that of the frame but for rounding, it is.

@@ -26,7 +26,16 @@ pub struct Masked {
 pub fn masked(cycle: &'static Cycle, typed: &Typed, control: &Control) -> Option<Masked> {
     let inputs = check::read(cycle, typed, control, &mut Vec::new());
     let counterpart = of(&inputs)?;
-    let mask = masks::find(counterpart.mask)?;
+    let mask = masks::alike(control, counterpart.mask)?;
+    let outside = |name: &str, words: &[&str]| name == "corner" && words.contains(&"outside");
+    let lost = counterpart.when.iter().any(|holds| match holds {
+        Holds::Word(name, words) => mask.field(name).is_none() && !outside(name, words),
+        Holds::Zero(name, zero) => mask.field(name).is_none() && !zero,
+        Holds::Wide(_) => false,
+    });
+    if lost {
+        return None; // up to SW 6.2 there is no such field
+    }
     let mut back = Back { inputs: &inputs, control, counterpart, mask, filled: Vec::new(), said: Vec::new() };
     back.choices();
     back.numbers();

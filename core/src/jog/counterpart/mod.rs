@@ -77,7 +77,7 @@ impl<'a> Told<'a> {
         control.plane = settings::plane(&control);
         control.activate(session.measuring());
         let seen = |taken: &Taken| Point { from: control.to_workpiece(taken.from), at: control.to_workpiece(taken.at) };
-        let points = session.taken().iter().map(|taken| taken.as_ref().map(seen)).collect();
+        let points = taken(session, mask).iter().map(|taken| taken.as_ref().map(seen)).collect();
         Told {
             mask,
             values: session.values(),
@@ -116,7 +116,9 @@ pub fn call(session: &Session) -> Result<Call, Message> {
     }
     let told = Told::of(session, mask);
     let mut why = Message::new(none(mask));
-    for counterpart in TABLE.iter().filter(|one| one.mask == mask.name) {
+    let name =
+        if taken(session, mask).len() == 4 && mask.by_hand() { "corner_any" } else { mask.older.unwrap_or(mask.name) };
+    for counterpart in TABLE.iter().filter(|one| one.mask == name) {
         if !counterpart.when.iter().all(|holds| told.holds(holds)) {
             continue;
         }
@@ -126,6 +128,14 @@ pub fn call(session: &Session) -> Result<Call, Message> {
         }
     }
     Err(why)
+}
+
+/// Where was touched: of a corner whose points the user stores as many as there are, three at least.
+fn taken<'a>(session: &'a Session, mask: &Mask) -> &'a [Option<Taken>] {
+    match session.taken() {
+        [three @ .., None] if mask.by_hand() => three,
+        all => all,
+    }
 }
 
 /// Why no cycle does what a mask does.

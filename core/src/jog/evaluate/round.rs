@@ -5,6 +5,7 @@ use super::corner::crossing;
 use crate::control::Plane;
 use crate::evaluate::level::tilt;
 use crate::geometry::{Degrees, Rpy, V3, Wcs, fit};
+use nalgebra::Rotation3;
 
 /// A hole, spigot or rectangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -63,5 +64,5 @@ pub fn level(plane: Plane, points: [Wcs; 3]) -> Option<(V3, Rpy)> {
         return None;
     }
     let normal = normal.normalize() * normal[applicate].signum();
-    Some((normal, tilt(plane, &V3::ith(applicate, 1.0), &normal)))
+    Some((normal, tilt(plane, &V3::ith(applicate, 1.0), &normal, &Rotation3::identity())))
 }

@@ -19,6 +19,7 @@ pub(super) const LENGTH: Function = Function {
             corrects("jog-help-cal-length-corrects", "B:2941"),
             wrong("jog-help-cal-length-wrong", "B:2929"),
         ],
+        older: None,
         source: "B:2902-2941",
     }],
 };
@@ -40,6 +41,7 @@ pub(super) const RADIUS: Function = Function {
             wrong("jog-help-cal-radius-wrong", "B:2964"),
             wrong("jog-help-cal-radius-wrong-spindle", "A:15916;A:15917"),
         ],
+        older: None,
         source: "B:2943-2977",
     }],
 };

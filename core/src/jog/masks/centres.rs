@@ -55,7 +55,16 @@ struct Several {
 const fn centres(name: &'static str, inside: bool, points: usize, of: &Several) -> Mask {
     let place = if inside { 0 } else { 1 };
     let (fields, help, source) = (of.fields[place], of.help[place], of.source);
-    Mask { name, task: Task::Centres(Element { round: true, inside }), points, fields, shows: SHOWS, help, source }
+    Mask {
+        name,
+        task: Task::Centres(Element { round: true, inside }),
+        points,
+        fields,
+        shows: SHOWS,
+        help,
+        older: None,
+        source,
+    }
 }
 
 const OF_TWO: Several = Several {

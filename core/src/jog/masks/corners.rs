@@ -20,7 +20,7 @@ const CORRECTS: Line = corrects("jog-help-corner-corrects", "B:3176-3180;B:3207-
 const SAME_POINTS: Line = wrong("jog-help-corner-wrong-same", "A:15911");
 
 const fn corner(name: &'static str, points: usize, help: &'static [Line], source: &'static str) -> Mask {
-    Mask { name, task: Task::Corner, points, fields: FIELDS, shows: SHOWS, help, source }
+    Mask { name, task: Task::Corner, points, fields: FIELDS, shows: SHOWS, help, older: None, source }
 }
 
 pub(super) const RIGHT: Function = Function {

@@ -20,6 +20,7 @@ pub(super) const SET: Function = Function {
             corrects("jog-help-set-edge-corrects", "B:3034-3041"),
             wrong("jog-help-edge-wrong", "B:3025"),
         ],
+        older: None,
         source: "B:3009-3041",
     }],
 };
@@ -49,6 +50,7 @@ pub(super) const ALIGN: Function = Function {
             wrong("jog-help-align-edge-wrong", "B:3060"),
             wrong("jog-help-edge-wrong", "B:3069"),
         ],
+        older: None,
         source: "B:3047-3107",
     }],
 };
@@ -69,6 +71,7 @@ pub(super) const DISTANCE: Function = Function {
             corrects("jog-help-distance-corrects", "B:3142"),
             wrong("jog-help-distance-wrong", "B:3129"),
         ],
+        older: None,
         source: "B:3113-3149",
     }],
 };

@@ -34,7 +34,16 @@ const fn element(
     shows: &'static [Show],
     help: &'static [Line],
 ) -> Mask {
-    Mask { name, task: Task::Element(Element { round, inside }), points: 1, fields, shows, help, source: "B:3315-3374" }
+    Mask {
+        name,
+        task: Task::Element(Element { round, inside }),
+        points: 1,
+        fields,
+        shows,
+        help,
+        older: None,
+        source: "B:3315-3374",
+    }
 }
 
 const CORRECTS: Line = corrects("jog-help-centre-corrects", "B:3357;B:3369");

@@ -1,15 +1,18 @@
-//! The functions of measuring in JOG and their masks, as data (B:2602-4083). A mask that is not here cannot be opened.
+//! The functions of measuring in JOG and their masks, as data (B:2602-4083), and those up to measuring cycles SW 6.2
+//! (A:2905-3298). A mask that is not here cannot be opened.
 
 mod calibrate;
 mod centres;
 mod corners;
 mod edges;
 mod elements;
+mod older;
 mod plane;
 mod shared;
 mod tools;
 
 use super::mask::{Function, Mask};
+use crate::control::{Control, OLDER_JOG};
 
 /// Every function, in the order of the softkeys.
 pub static FUNCTIONS: &[Function] = &[
@@ -33,12 +36,44 @@ pub static FUNCTIONS: &[Function] = &[
     tools::RADIUS,
 ];
 
-/// Every mask.
+/// Every function up to measuring cycles SW 6.2; tools are measured alike.
+pub static OLDER: &[Function] = &[
+    older::EDGE,
+    older::CORNER,
+    older::HOLE,
+    older::SPIGOT,
+    older::LENGTH,
+    older::RADIUS,
+    tools::CALIBRATE,
+    tools::LENGTH,
+    tools::RADIUS,
+];
+
+/// The functions that a control has.
+pub fn offered(control: &Control) -> &'static [Function] {
+    if control.bit(OLDER_JOG) { OLDER } else { FUNCTIONS }
+}
+
+/// Every mask, those up to SW 6.2 last.
 pub fn all() -> impl Iterator<Item = &'static Mask> {
-    FUNCTIONS.iter().flat_map(|function| function.masks)
+    let older = OLDER.iter().flat_map(|function| function.masks).filter(|mask| mask.older.is_some());
+    FUNCTIONS.iter().flat_map(|function| function.masks).chain(older)
 }
 
 /// The mask with this name.
 pub fn find(name: &str) -> Option<&'static Mask> {
     all().find(|mask| mask.name.eq_ignore_ascii_case(name))
+}
+
+/// The mask with this name, where the control has it.
+pub fn opened(control: &Control, name: &str) -> Option<&'static Mask> {
+    let mut masks = offered(control).iter().flat_map(|function| function.masks);
+    masks.find(|mask| mask.name.eq_ignore_ascii_case(name))
+}
+
+/// The mask that a control has for one from SW 6.3: itself, or the older one that measures alike.
+pub fn alike(control: &Control, name: &str) -> Option<&'static Mask> {
+    let mut masks = offered(control).iter().flat_map(|function| function.masks);
+    // three or four points: it is both corners
+    masks.find(|mask| mask.name == name || mask.older == Some(name) || mask.by_hand() && name == "corner_any")
 }

@@ -17,9 +17,11 @@ pub(super) const ALIGN: Function = Function {
             measures("jog-help-align-plane-measures", "B:3641-3645"),
             before("jog-help-align-plane-before", "B:3649"),
             corrects("jog-help-align-plane-corrects", "B:3641-3645;B:3669"),
+            corrects("jog-help-align-plane-orient", "B:3808-3816;B:3889-3906"),
             wrong("jog-help-align-plane-wrong", "B:3649"),
             wrong("jog-help-align-plane-wrong-orientation", "B:3802-3808"),
         ],
+        older: None,
         source: "B:3601-3674",
     }],
 };

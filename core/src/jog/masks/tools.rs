@@ -20,6 +20,7 @@ pub(super) const CALIBRATE: Function = Function {
             corrects("jog-help-tool-cal-corrects", "B:3984"),
             wrong("jog-help-tool-cal-wrong", "B:3938-3945"),
         ],
+        older: None,
         source: "B:3934-3986",
     }],
 };
@@ -29,7 +30,7 @@ const OFFSET: &[Field] = &[touching("v", Kind::Length(Least::Zero), "B:4069-4077
 const CORRECTS: Line = corrects("jog-help-tool-corrects", "B:4003-4006;B:4083");
 
 const fn measure(name: &'static str, task: Task, help: &'static [Line]) -> Mask {
-    Mask { name, task, points: 1, fields: OFFSET, shows: &[], help, source: "B:3988-4083" }
+    Mask { name, task, points: 1, fields: OFFSET, shows: &[], help, older: None, source: "B:3988-4083" }
 }
 
 pub(super) const LENGTH: Function = Function {

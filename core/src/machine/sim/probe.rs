@@ -104,6 +104,24 @@ impl Sim {
         top + self.probe.radius + far - self.ball()[axis]
     }
 
+    /// Coordinate Z of the machine at which nothing of the part reaches the ball however the rotary axes turn it, mm.
+    pub fn above_turning(&self) -> f64 {
+        if self.part.is_nothing() {
+            return self.position[2];
+        }
+        let centre = self.control.rotary_centre;
+        let far = |axis: usize| {
+            let reach = |sign: f64| {
+                let mut direction = Dir::default();
+                direction[axis] = sign;
+                (self.part.farthest(direction) - sign * centre[axis]).abs()
+            };
+            reach(1.0).max(reach(-1.0))
+        };
+        let reach = far(0).hypot(far(1)).hypot(far(2));
+        centre[2] + reach + self.probe.radius - self.ball()[2]
+    }
+
     /// A straight measuring motion; where the probe switched, if it did.
     pub(super) fn seek(&mut self, to: Mcs, feed: f64) -> Result<Option<Mcs>, Stop> {
         let from = self.position;

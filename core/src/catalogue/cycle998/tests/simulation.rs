@@ -6,6 +6,7 @@ use super::super::angles::Surface;
 use crate::catalogue::sinumerik::testing::{at, call, called, close, put, random_parts, run, setup, stopped, touches};
 use crate::control::{Control, Frame, Plane};
 use crate::entry::{Inputs, names};
+use crate::evaluate::level::heading;
 use crate::geometry::rigid::{angles, between, rotation};
 use crate::geometry::{Degrees, Dir, Rpy, V3, Wcs};
 use crate::machine::sim::Sim;
@@ -221,6 +222,30 @@ proptest! {
         }
     }
 
+    /// A settable frame that is turned about all axes keeps its rotation about the applicate, and what is reported is
+    /// what its angles have become more.
+    #[test]
+    fn two_angles_leave_the_rotation_about_the_applicate(
+        set in prop::array::uniform2(-15.0..15.0_f64), wrong in prop::array::uniform2(-9.0..9.0_f64),
+        plane in 0..3_usize, turned in prop::array::uniform3(-40.0..40.0_f64),
+    ) {
+        let plane = PLANES[plane];
+        for variant in TWO {
+            let inputs = inputs(variant, 102, set);
+            let actual = [set[1] + wrong[1], set[0] + wrong[0]];
+            let setup = ready(plane, &inputs, turned, &actual);
+            let sim = done(&setup, &inputs);
+            let [before, after] = [&setup.control, &sim.control].map(|control| control.frames[&1].rotation);
+            let [first, second] = [before, after].map(|angles| heading(plane, &rotation(angles)).0);
+            prop_assert!((first - second).abs() < 1e-9, "{before:?} {after:?}");
+            for (index, axis) in plane.axes().into_iter().enumerate() {
+                close(&sim, &format!("_OVR[{}]", 21 + index), after[axis] - before[axis]);
+            }
+            let frame = sim.control.frames[&1];
+            prop_assert_eq!((frame.coarse, frame.fine), ([30.0, -20.0, 11.0], [0.0; 3]));
+        }
+    }
+
     /// The rotary table takes the angle: turned to its programmed position, the part stands right.
     #[test]
     fn a_corrected_rotary_axis_measures_zero(set in -20.0..20.0_f64, wrong in -9.0..9.0_f64, across in any::<bool>(),
@@ -291,6 +316,28 @@ proptest! {
         close(&sim, "_OVR[4]", wrong);
         close(&sim, "_WP[0,8]", skew);
         close(&sim, "_WP[0,4]", -3.0 - skew);
+    }
+}
+
+// oracle: manual B:3882: what makes this plane level is printed for align plane: X -6.1069, Y -14.3030, Z 0.0000; its
+// angles as seen along the axes by hand from the normal of that rotation
+#[test]
+fn an_oblique_plane_is_made_level_as_the_manual_prints_it() {
+    let printed = [-6.1069, -14.303, 0.0];
+    let normal = rotation(Rpy(printed)) * V3::z();
+    let seen = [(-normal.y).atan2(normal.z).to_degrees(), normal.x.atan2(normal.z).to_degrees()];
+    for target in [1.0, 0.0] {
+        let mut inputs = inputs(100_106, 102, [0.0; 2]);
+        put(&mut inputs, "_TSA", 20.0);
+        put(&mut inputs, "_KNUM", target);
+        let sim = done(&ready(Plane::G17, &inputs, [0.0; 3], &[seen[1], seen[0]]), &inputs);
+        close(&sim, "_OVR[4]", seen[0]);
+        close(&sim, "_OVR[5]", seen[1]);
+        for (axis, angle) in printed.into_iter().enumerate() {
+            close(&sim, &format!("_OVR[{}]", 21 + axis), angle);
+            let written = sim.control.frames[&1].rotation[axis];
+            assert!((written - target * angle).abs() < 1e-9, "{axis}: {written}");
+        }
     }
 }
 

@@ -1,0 +1,87 @@
+// Speed of measuring in JOG: one function simulated, and in the page from NC start to the picture of the finished touch.
+// What is done is tests/data/jog_practice.json, as in jog-all.spec.mjs. `bench.mjs` prints it.
+import { readFileSync } from "node:fs";
+import { open } from "./browser.mjs";
+
+const WORK = JSON.parse(readFileSync(new URL("../data/jog_practice.json", import.meta.url), "utf8"));
+const PRESSES = 30; // of NC start for each function, those that count
+const FIRST = 5; // before them: they compile what the others use
+
+/** Each function with its mask, the piece for it, and its lines as far as the last NC start, without it. */
+async function functions(page) {
+  const areas = await page.evaluate(() => {
+    const answer = globalThis["bench-program"].practise(
+      JSON.stringify({ control: "sinumerik", script: "", hides: false }),
+    );
+    const { areas } = JSON.parse(answer.view);
+    answer.free();
+    return areas;
+  });
+  return areas.flatMap(area =>
+    area.functions.map(({ name, masks: [mask] }) => {
+      const lines = [`mask ${mask.name}`, ...WORK[name]];
+      return { name, piece: mask.piece, lines: lines.slice(0, lines.lastIndexOf("start")) };
+    }),
+  );
+}
+
+/** ms of a function from the menu to its last NC start, with what it shows then and would do next. */
+async function simulated(page, { piece, lines }) {
+  const script = [...lines, "start"].join("\n");
+  const request = JSON.stringify({ control: "sinumerik", piece, script, hides: false });
+  return page.evaluate(text => {
+    const core = globalThis["bench-program"];
+    const times = [];
+    for (let n = 0; n < 150; n++) {
+      const start = performance.now();
+      const answer = core.practise(text);
+      answer.view;
+      times.push(performance.now() - start);
+      answer.free();
+    }
+    return times.slice(50).sort((a, b) => a - b);
+  }, request);
+}
+
+/** ms of the page's own work from a press of NC start to the layout of the frame that shows the finished touch. */
+async function pictured(page, { piece, lines }) {
+  const buffer = Buffer.from([`; piece ${piece}`, ...lines].join("\n"));
+  await page.locator(".jog > input[type=file]").setInputFiles({ name: "part.jog", mimeType: "text/plain", buffer });
+  await page.locator(".jog-start").waitFor();
+  return page.evaluate(
+    async ([count, first]) => {
+      const pause = () => new Promise(resolve => setTimeout(resolve, 30));
+      const frame = () => new Promise(resolve => requestAnimationFrame(() => resolve(performance.now())));
+      const times = [];
+      for (let n = 0; n < count; n++) {
+        await pause();
+        const before = frame();
+        const pressed = performance.now();
+        document.querySelector(".jog-start").click();
+        const handled = performance.now() - pressed;
+        const drawn = new Promise(resolve =>
+          requestAnimationFrame(() => {
+            void document.body.offsetHeight;
+            resolve(performance.now());
+          }),
+        );
+        const [began, ended] = await Promise.all([before, drawn]);
+        times.push(handled + ended - began);
+        await pause();
+        document.querySelector(".jog-actions button").click(); // undo
+      }
+      return times.slice(first).sort((a, b) => a - b);
+    },
+    [PRESSES + FIRST, FIRST],
+  );
+}
+
+/** Prints both for every function; `page` has the program module, `browser` makes a visit of its own. */
+export async function practising(browser, page, report) {
+  const all = await functions(page);
+  for (const one of all) report(`JOG ${one.name} simulated`, await simulated(page, one), 95, 2);
+  const visit = await open(browser, { path: "#jog", serviceWorkers: "block", reducedMotion: "reduce" });
+  await visit.page.locator(".jog-stage [data-backend]").waitFor();
+  for (const one of all) report(`JOG ${one.name}: NC start to its picture`, await pictured(visit.page, one), 95, 16);
+  await visit.context.close();
+}
