@@ -31,7 +31,7 @@ export interface Still {
   drawing: boolean;
   camera: Camera | null;
   say: Say;
-  marks?: readonly Numbered[];
+  marks?: readonly Numbered[]; // in the place of what else is written
 }
 
 function made({ data, step, drawing, camera, say }: Still, view: Viewport, ratio: number): [Scene, Frame] {
@@ -43,8 +43,8 @@ function made({ data, step, drawing, camera, say }: Still, view: Viewport, ratio
 function letter(host: HTMLElement, scene: Scene, frame: Frame, marks: readonly Numbered[] = []): void {
   const letters = overlay(host);
   letters.setAttribute("viewBox", `0 0 ${frame.view.width} ${frame.view.height}`);
-  drawOverlay(letters, scene, frame);
-  letters.append(...numbered(marks, frame));
+  if (marks.length) letters.append(...numbered(marks, frame));
+  else drawOverlay(letters, scene, frame);
 }
 
 /** Numbers in circles; those that would lie upon each other stand beside each other. */

@@ -17,6 +17,7 @@ type Call = RunView["answers"][number];
 type Draw = typeof import("../preview/still");
 const VIEW = { width: 680, height: 330 }; // CSS pixels
 const MOST_NUMBERS = 80; // in the picture
+const ON = 1 + 1e-6; // share of a limit that is not beyond it
 const WIDE = 60; // of a bar, its units
 
 const word = (key: string): string => t(`record-sheet-${key}`);
@@ -88,7 +89,8 @@ function rowsOf(call: Call, index: number, files: RunView["files"]): HTMLElement
       first ? correctedText(call) : "",
       first ? `${call.probe.number}: ${say(call.probe.calibration)}` : "",
     ];
-    const row = el("tr", { class: first ? "record-call" : "" });
+    const sort = [first && "record-call", (used ?? 0) > ON && "record-beyond"].filter(Boolean).join(" ");
+    const row = el("tr", { class: sort });
     row.append(...cells.map(cell => el("td", {}, cell)));
     row.dataset.verdict = call.verdict;
     return row;
