@@ -30,6 +30,26 @@ fn by_name<S: Serializer>(args: &[(&'static str, Arg)], to: S) -> Result<S::Ok, 
     to.collect_map(args.iter().map(|(name, arg)| (name, arg)))
 }
 
+/// As it is in a document, with the sentence that [`crate::words::Words::speak`] adds.
+#[cfg(feature = "cli")]
+impl schemars::JsonSchema for Message {
+    fn schema_name() -> Cow<'static, str> {
+        "Message".into()
+    }
+
+    fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        schemars::json_schema!({
+            "type": "object",
+            "properties": {
+                "key": { "type": "string" },
+                "args": { "type": "object", "additionalProperties": { "type": ["number", "string"] } },
+                "text": { "type": "string" }
+            },
+            "required": ["key", "args"]
+        })
+    }
+}
+
 impl Message {
     /// A message without arguments.
     pub fn new(key: impl Into<Cow<'static, str>>) -> Self {

@@ -167,6 +167,9 @@ export type Beside = {
   text: string,
 };
 
+/** Whence the calibration of a probe. */
+export type CalibrationState = "calibrates" | "run" | "stored" | "differs";
+
 /** A measuring call of a program. */
 export type CallView = {
   /** Control. */
@@ -848,6 +851,8 @@ export type Figure = {
   deviation?: number,
   /** Unit at the call. */
   unit: string,
+  /** What limits its deviation; absent: nothing. */
+  limits?: Limited,
 };
 
 /** Where a file beside the program begins: places and lines of an answer go on there. */
@@ -1088,6 +1093,19 @@ export type JogValue = number | string;
 
 /** What a label tells. */
 export type LabelKind = "frame" | "diameter" | "nominal" | "touched" | "touch" | "collision" | "size" | "anchor";
+
+/** What limits the deviation of a quantity. */
+export type Limited = {
+  /** Smallest deviation that is permitted. */
+  low: number,
+  /** Largest one. */
+  high: number,
+  /**
+   * Share of the limit on its side that the deviation takes, empirical value included: 1 on the limit; absent: there
+   * is no room on that side.
+   */
+  used?: number,
+};
 
 /** A part of the lines. */
 export type LineGroup = {
@@ -1743,6 +1761,22 @@ export type ProbeBody = {
   distance: number,
 };
 
+/** The probe of a call. */
+export type ProbeOfCall = {
+  /** Number of its data field, from 1. */
+  number: number,
+  /** Whether it is a tool probe. */
+  tool: boolean,
+  /** Both in words. */
+  name: Message,
+  /** Whence its calibration. */
+  state: CalibrationState,
+  /** The same in words. */
+  calibration: Message,
+  /** Line of the call that calibrated it in this run, from 1. */
+  line?: number,
+};
+
 /** What is wrong with a probe, mm. */
 export type ProbeSliders = {
   /** Centre of the ball off the axis, along the abscissa; of a tool its length L1. */
@@ -1876,6 +1910,28 @@ export type Recognised = {
   why: Message,
 };
 
+/** Where the values of a record come from. */
+export type RecordAbout = {
+  /** Control. */
+  control: Dialect,
+  /** What the user calls the machine; empty: nothing. */
+  machine: string,
+  /** Date and time of the control when the program began, `2026-05-31T08:00:00`. */
+  clock: string,
+  /** Diameter of the ball of the workpiece probe, mm. */
+  ball: number,
+  /** What such values are worth, and what they are not, a sentence each. */
+  worth: Array<Message>,
+};
+
+/** A file beside the program. */
+export type RecordFile = {
+  /** Name of the file. */
+  name: string,
+  /** Its first line, from 1. */
+  line: number,
+};
+
 /** Why a typed value is not taken, and what would be. */
 export type Refusal = {
   /** What is wrong. */
@@ -1934,6 +1990,12 @@ export type RunAlarm = {
 
 /** What a measuring call of a run came to. */
 export type RunAnswer = {
+  /** The probe that measured. */
+  probe: ProbeOfCall,
+  /** Numbers or texts of the alarms and operator messages raised in it. */
+  alarms: Array<string>,
+  /** Amid the points that were touched, machine coordinates X Y Z, mm. */
+  place?: [number, number, number],
   /** Index of its first entry of the trace. */
   from: number,
   /** Index of its last one. */
@@ -1976,6 +2038,25 @@ export type RunDecision = {
   line?: number,
   /** Cycle that is called. */
   cycle?: string,
+};
+
+/**
+ * The record of a run. Lengths in the unit beside them, angles in degree. Every `key` names a text of Probewright and
+ * stays the same in all languages; `text` is what it says.
+ */
+export type RunRecord = {
+  /** Version of this format: 1. */
+  format: number,
+  /** Name of the file with the program. */
+  program: string,
+  /** Where the values come from. */
+  about: RecordAbout,
+  /** Files beside the program: lines go on there. */
+  files?: Array<RecordFile>,
+  /** How the run ended. */
+  ending: Message,
+  /** The measuring calls in their order. */
+  calls: Array<RunAnswer>,
 };
 
 /** What is run. */
@@ -2044,6 +2125,8 @@ export type RunView = {
   files?: Array<FileStart>,
   /** How it ended. */
   ending: Message,
+  /** Where the values come from, for the record. */
+  about: RecordAbout,
   /** Of a program that came without a machine: what was assumed. */
   assumed?: RunAssumed,
 };

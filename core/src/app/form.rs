@@ -4,6 +4,7 @@ use super::finding::Finding;
 use super::outcome::{Outcome, Raised};
 use super::places::{self, Places};
 use super::predict::{ErrorSliders, predict};
+use super::record::probe_of;
 use super::start::{Machine, start};
 use super::supply::{Supply, corrected};
 use super::twin::{TwinView, twin};
@@ -12,10 +13,9 @@ use crate::check::{Checked, Parsed, expression, newer, parse, variants};
 use crate::control::{Control, MachineSort, Plane, Transverse, UnitFunction};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::dialect::Dialect;
-use crate::entry::{ArgumentList, Cycle, Inputs, Kind, ProbeUse, Style, Typed, names};
+use crate::entry::{ArgumentList, Cycle, Kind, Style, Typed, names};
 use crate::form::{Chain, Field};
 use crate::machine::Setup;
-use crate::machine::calibrated::ProbeInCall;
 use crate::name::Name;
 use crate::picture::Picture;
 use crate::program::write::{self, Values, snippet_of};
@@ -194,16 +194,6 @@ pub fn form(mut asked: FormRequest) -> Result<FormView, Error> {
     view.calibrated = Some(setup.calibration_fits(probe_of(&inputs)));
     view.setup = Some(setup);
     Ok(view)
-}
-
-/// The workpiece probe of a call, probe 1 where it uses none; in a turret a mono probe is used as a multi probe
-/// (B:2277).
-fn probe_of(inputs: &Inputs) -> ProbeInCall {
-    let purpose = &inputs.cycle.purpose;
-    let measures = purpose.probe == ProbeUse::Workpiece;
-    let number = inputs.any(names::PRNUM).filter(|_| measures).unwrap_or(1.0) as i64;
-    let mono = purpose.machine == MachineSort::Milling && number / 100 % 10 == 1;
-    ProbeInCall { field: number % 100, mono, measures }
 }
 
 /// Brings to the core's own machine what the cycle needs: which probe that is may depend on the plane at the call.

@@ -21,6 +21,7 @@ mod practice;
 mod predict;
 mod program;
 mod program_text;
+mod record;
 mod run;
 mod scan;
 mod scenario;
@@ -34,7 +35,7 @@ mod written;
 pub use crate::refused::Refused as Error;
 pub use ahead::{JogAhead, JogHidden, ahead};
 pub use alarms::{AlarmInfo, alarm, alarms};
-pub use answer::{Answer, Band, BandKind, Correction, Figure, Gauge, Mark, Needle, Part, Verdict};
+pub use answer::{Answer, Band, BandKind, Correction, Figure, Gauge, Limited, Mark, Needle, Part, Verdict};
 pub use beside::{Beside, FileStart};
 pub use catalogue::{Catalogue, CycleInfo, ParameterInfo, Purpose, Values, VariantInfo, catalogue};
 pub use changes::Change;
@@ -59,6 +60,7 @@ pub use practice::{
 pub use predict::{ErrorLimit, ErrorSliders, PartSliders, ProbeSliders};
 pub use program::{Arrival, CallView, ProgramParameter, ProgramPlace, ReadRequest, ReadView, calls, read};
 pub use program_text::ProgramText;
+pub use record::{CalibrationState, ProbeOfCall, Record, RecordAbout, RecordFile, csv};
 pub use run::{OfCall, Run, RunAlarm, RunAnswer, RunAssumed, RunDecision, RunRequest, RunResult, RunView};
 pub use scan::{Scan, ScanRequest, ScanView, SurfaceChoice, put_surface};
 pub use scenario::{

@@ -5,16 +5,18 @@ use super::beside::{Beside, FileStart, Whole};
 use super::changes::{Change, changes};
 use super::finding::{Finding, placed};
 use super::outcome::{Raised, alarms};
+use super::record::{ProbeOfCall, Probes, RecordAbout};
 use super::start::{Machine, start};
 use super::supply::{Needs, curable, lacking};
 use super::written::{WrittenFile, written};
 use super::{Error, ProgramText};
 use crate::control::Value;
+use crate::diagnostic::Code;
 use crate::dialect::Dialect;
 use crate::entry::unit_name;
-use crate::machine::Stop;
 use crate::machine::setup::Setup;
 use crate::machine::trace::Step;
+use crate::machine::{Entry, Stop};
 use crate::message::Message;
 use crate::run::called::Called;
 use crate::run::left::{CallAt, Left};
@@ -89,6 +91,8 @@ pub struct RunView {
     pub files: Vec<FileStart>,
     /// How it ended.
     pub ending: Message,
+    /// Where the values come from, for the record.
+    pub about: RecordAbout,
     /// Of a program that came without a machine: what was assumed.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub assumed: Option<RunAssumed>,
@@ -106,6 +110,7 @@ pub struct RunAssumed {
 
 /// The call of a program to which something belongs; absent: none.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
 pub struct OfCall {
     /// Line of the call, from 1.
@@ -148,6 +153,7 @@ pub struct RunDecision {
 
 /// What a measuring call of a run came to.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub struct RunAnswer {
     /// What it came to.
@@ -156,6 +162,14 @@ pub struct RunAnswer {
     /// Which call.
     #[serde(flatten)]
     pub call: OfCall,
+    /// The probe that measured.
+    pub probe: ProbeOfCall,
+    /// Numbers or texts of the alarms and operator messages raised in it.
+    pub alarms: Vec<String>,
+    /// Amid the points that were touched, machine coordinates X Y Z, mm.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional))]
+    pub place: Option<[f64; 3]>,
     /// Index of its first entry of the trace.
     pub from: usize,
     /// Index of its last one.
@@ -269,7 +283,7 @@ impl RunView {
         RunView {
             diagnostics: placed(&outcome.diagnostics, &Positions::new(source)),
             results: results(&outcome),
-            answers: answers(&outcome),
+            answers: answers(&setup, &outcome),
             decisions: decisions(&outcome),
             changes: changes(&outcome),
             alarms: raised(&outcome),
@@ -280,6 +294,7 @@ impl RunView {
             machine_values: outcome.machine_values.clone(),
             files: Vec::new(),
             ending: outcome.ending(|line| (None, line)),
+            about: RecordAbout::new(&setup),
             assumed: None,
             trace: Source { setup, outcome, zones: Vec::new(), limits: Vec::new(), call: None, apart: false },
         }
@@ -331,18 +346,44 @@ fn results(outcome: &Outcome) -> Vec<RunResult> {
     all
 }
 
-fn answers(outcome: &Outcome) -> Vec<RunAnswer> {
+/// What each measuring call came to.
+pub(super) fn answers(setup: &Setup, outcome: &Outcome) -> Vec<RunAnswer> {
+    let mut probes = Probes::new(setup);
     let answer = |called: &Called| {
-        let (entries, _) = called.entries(outcome);
+        let (entries, ended) = called.entries(outcome);
         let line = entries.first().and_then(|entry| entry.line).map(|line| line + 1);
+        let answer = answer(called, outcome);
         RunAnswer {
-            answer: answer(called, outcome),
             call: OfCall { line, cycle: Some(called.inputs.cycle.name) },
+            probe: probes.of(&called.inputs, line, ended),
+            alarms: codes(&entries, outcome.stop.as_ref().filter(|_| !ended)),
+            place: amid(&entries),
             from: called.at,
             to: called.at + entries.len().saturating_sub(1),
+            answer,
         }
     };
     outcome.called.iter().map(answer).collect()
+}
+
+/// The middle of the points that these steps touched.
+fn amid(entries: &[Entry]) -> Option<[f64; 3]> {
+    let touched = |entry: &Entry| if let Step::Touch { point, .. } = &entry.step { Some(point.0) } else { None };
+    let points: Vec<[f64; 3]> = entries.iter().filter_map(touched).collect();
+    let mean = [0, 1, 2].map(|axis| points.iter().map(|point| point[axis]).sum::<f64>() / points.len() as f64);
+    (!points.is_empty()).then_some(mean)
+}
+
+/// Alarms and messages among these steps, the one that stopped them last.
+fn codes(entries: &[Entry], stop: Option<&Stop>) -> Vec<String> {
+    let raised = |entry: &Entry| if let Step::Alarm(code) = entry.step { Some(code) } else { None };
+    let mut codes: Vec<Code> = entries.iter().filter_map(raised).collect();
+    if let Some(Stop::Alarm(code)) = stop
+        && codes.last() != Some(code)
+    {
+        codes.push(*code);
+    }
+    codes.iter().map(ToString::to_string).collect()
 }
 
 fn decisions(outcome: &Outcome) -> Vec<RunDecision> {

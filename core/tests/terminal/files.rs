@@ -160,3 +160,58 @@ fn a_run_writes_its_logs_into_a_folder() {
     assert_eq!(view["written"][0]["lines"][1], "1.500       ; 00:00:00");
     assert_eq!(view["written"][0]["at"].as_array().unwrap().len(), 2);
 }
+
+/// The measured hole with its record in this file.
+fn recorded(name: &str, more: &[&str]) -> (Output, String) {
+    let (program, path) = (file("hole.mpf", HOLE.as_bytes()), file(name, b"before"));
+    let setup = example_setup();
+    let mut arguments = vec!["run", &program, "--setup", &setup, "--record", &path];
+    arguments.extend(more);
+    (probewright(&arguments), std::fs::read_to_string(&path).unwrap())
+}
+
+// oracle: hand: the hole is 0.03 mm too large of 0.1 mm that are permitted
+#[test]
+fn a_run_writes_its_record() {
+    let (output, text) = recorded("hole.csv", &[]);
+    assert!(output.status.success(), "{}{}", out(&output), err(&output));
+    let rows: Vec<Vec<&str>> = text.lines().map(|line| line.split(',').collect()).collect();
+    assert_eq!(rows[0][..3], ["\u{feff}Number", "Line", "Cycle"]);
+    assert_eq!(rows[1][..3], ["1", "8", "CYCLE977"], "{text}");
+    assert_eq!(rows[1][5..12], ["132", "-0.1", "0.1", "132.03", "0.03", "0.3", "mm"], "{text}");
+    let (_, german) = recorded("loch.csv", &["--lang", "de"]);
+    assert!(german.contains(";132;-0,1;0,1;132,03;0,03;0,3;mm;"), "{german}");
+    let (output, text) = recorded("hole.json", &["--json"]);
+    assert!(output.status.success() && out(&output).starts_with('{'), "{}", err(&output));
+    let record: serde_json::Value = serde_json::from_str(&text).unwrap();
+    assert_eq!((&record["format"], &record["program"]), (&1.into(), &"hole.mpf".into()));
+    let call = &record["calls"][0];
+    assert_eq!((&call["line"], &call["verdict"]), (&8.into(), &"within".into()), "{call}");
+    let used = call["figures"][0]["limits"]["used"].as_f64().unwrap();
+    assert!((used - 0.3).abs() < 1e-6 && call["feature"]["text"] == "Hole", "{call}");
+}
+
+// oracle: hand: another ending is refused before anything is run, and the file stays as it was
+#[test]
+fn a_record_has_an_ending_that_says_how_it_is_written() {
+    for name in ["hole.xlsx", "hole"] {
+        let (output, text) = recorded(name, &[]);
+        assert_eq!((output.status.code(), text.as_str()), (Some(2), "before"), "{}", err(&output));
+        assert!(err(&output).contains(name) && err(&output).contains(".csv"), "{}", err(&output));
+    }
+}
+
+// oracle: self, and tests/e2e/record.spec.mjs holds the page against the same files. With PROBEWRIGHT_UPDATE=1 they are
+// written instead.
+#[test]
+fn the_records_in_docs_are_what_a_run_writes() {
+    for name in ["hole.record.csv", "hole.record.json"] {
+        let (output, text) = recorded(name, &[]);
+        assert!(output.status.success(), "{}", err(&output));
+        let path = format!("{}/../docs/{name}", env!("CARGO_MANIFEST_DIR"));
+        if std::env::var_os("PROBEWRIGHT_UPDATE").is_some() {
+            std::fs::write(&path, &text).unwrap();
+        }
+        assert_eq!(std::fs::read_to_string(&path).unwrap(), text, "{name}");
+    }
+}

@@ -722,13 +722,14 @@ whole-verdict = Bewertung
 whole-verdict-name = Bewertung
 whole-corrects = Korrigiert
 whole-corrects-name = Korrigiert
-whole-cycle-name = Zyklus
-whole-quantity-name = Größe
-whole-unit-name = Einheit
-whole-low-name = Untere Grenze
-whole-high-name = Obere Grenze
-whole-alarm-name = Alarm
-whole-why-name = Grund
+whole-used = { $share } %
+whole-between = Grenzen der Abweichung: { $low } bis { $high }
+whole-probe = Taster
+whole-probe-name = Messtaster und seine Kalibrierung
+whole-json = JSON
+whole-json-hint = Als JSON sichern, wie docs/record.schema.json es beschreibt
+whole-print = Protokoll drucken
+whole-print-hint = Protokoll drucken oder als PDF sichern
 
 # Die Startseite
 start-place = Startseite

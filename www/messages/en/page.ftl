@@ -710,13 +710,14 @@ whole-verdict = Verdict
 whole-verdict-name = Verdict
 whole-corrects = Corrects
 whole-corrects-name = Corrects
-whole-cycle-name = Cycle
-whole-quantity-name = Quantity
-whole-unit-name = Unit
-whole-low-name = Lower limit
-whole-high-name = Upper limit
-whole-alarm-name = Alarm
-whole-why-name = Reason
+whole-used = { $share } %
+whole-between = Limits of the deviation: { $low } to { $high }
+whole-probe = Probe
+whole-probe-name = Probe and its calibration
+whole-json = JSON
+whole-json-hint = Save as JSON, as docs/record.schema.json describes it
+whole-print = Print record
+whole-print-hint = Print the record, or save it as PDF
 
 # The start screen
 start-place = Start

@@ -694,13 +694,14 @@ whole-verdict = 判定
 whole-verdict-name = 判定
 whole-corrects = 补偿
 whole-corrects-name = 补偿
-whole-cycle-name = 循环
-whole-quantity-name = 测量项
-whole-unit-name = 单位
-whole-low-name = 下限
-whole-high-name = 上限
-whole-alarm-name = 报警
-whole-why-name = 原因
+whole-used = { $share }%
+whole-between = 偏差限值：{ $low } 至 { $high }
+whole-probe = 测头
+whole-probe-name = 测头及其校准
+whole-json = JSON
+whole-json-hint = 另存为 JSON，格式见 docs/record.schema.json
+whole-print = 打印报告
+whole-print-hint = 打印测量报告，或另存为 PDF
 
 # 开始页面
 start-place = 首页

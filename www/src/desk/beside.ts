@@ -1,6 +1,6 @@
 // Files beside the program: which of several files is the program, and in which one a place of an answer lies.
 
-import type { FileStart } from "../wire";
+import type { FileStart, RecordFile } from "../wire";
 
 /** A file that was read. */
 interface Named {
@@ -35,13 +35,13 @@ export function mainOf<F extends Named>(files: readonly F[], wanted: readonly st
 }
 
 /** In which file a line of an answer lies, and which one of it; no name: in the program itself. */
-export function lineIn(files: readonly FileStart[] | undefined, line: number): { file?: string; line: number } {
+export function lineIn(files: readonly RecordFile[] | undefined, line: number): { file?: string; line: number } {
   const start = files?.findLast(one => one.line <= line);
   return start ? { file: start.name, line: line - start.line + 1 } : { line };
 }
 
 /** A line as narrow as it can be told: `L105.SPF:3`. */
-export function shortLine(files: readonly FileStart[] | undefined, of: number): string {
+export function shortLine(files: readonly RecordFile[] | undefined, of: number): string {
   const { file, line } = lineIn(files, of);
   return file === undefined ? String(line) : `${file}:${line}`;
 }

@@ -155,8 +155,9 @@ export function createBench(parts: Parts): Bench {
         () => shown?.derived ?? null,
       );
       document.body.append(difference.dialog, palette.dialog);
+      const paper = pieces.createPaper(core, () => shown, stage, stop.signal);
       return {
-        paper: pieces.createPaper(core, () => shown, stage, stop.signal),
+        paper,
         drawResults: pieces.createResults(
           results,
           layout.answer,
@@ -166,6 +167,7 @@ export function createBench(parts: Parts): Bench {
           program.goTo,
           program.goToLine,
           { pickFiles: program.pickFiles, machineValues: () => machineData.open("", true) },
+          which => void paper(which),
         ),
         drawChain: pieces.createChain(chain, store, actions),
         drawDifference: difference.draw,

@@ -77,7 +77,13 @@ function ofCall(store: Store, actions: Actions, state: State, derived: Derived):
   return all;
 }
 
-function ofView(store: Store, actions: Actions, does: Does, { view, page, snippet }: State): PageCommand[] {
+function ofView(
+  store: Store,
+  actions: Actions,
+  does: Does,
+  { view, page, snippet }: State,
+  { run }: Derived,
+): PageCommand[] {
   const themes = THEMES.filter(one => one !== page.theme).map(theme => ({
     id: `theme-${theme}`,
     title: t(`theme-${theme}`),
@@ -121,6 +127,7 @@ function ofView(store: Store, actions: Actions, does: Does, { view, page, snippe
     { id: "scenarios", title: t("scenarios-open"), run: does.scenarios },
     { id: "print-sheet", title: t("print-sheet"), run: () => does.paper("sheet") },
     { id: "print-report", title: t("print-report"), run: () => does.paper("report") },
+    ...(run?.answers.length ? [{ id: "print-record", title: t("whole-print"), run: () => does.paper("record") }] : []),
     { id: "print", title: t("command-print"), key: "Ctrl+P", run: () => print() },
     ...themes,
     ...spoken.map(one => ({
@@ -137,7 +144,7 @@ export function commandsOf(store: Store, actions: Actions, does: Does): (derived
   return derived => [
     ...ofWork(actions, does, store.state),
     ...ofCall(store, actions, store.state, derived),
-    ...ofView(store, actions, does, store.state),
+    ...ofView(store, actions, does, store.state, derived),
     ...(practises(store.state, derived.catalogue)
       ? [{ id: "practise", title: t("practice-title"), run: does.practise }]
       : []),

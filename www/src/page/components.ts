@@ -236,7 +236,10 @@ function measured(kind: BandKind, verdict: RunAnswer["verdict"], deviation: numb
     { kind: "bad" as const, from: 0.03, to: 0.04 },
   ];
   const needles = [{ label: "", value: deviation, kind }];
-  const figure = { name: "", label: words, heading: words, symbol: "Ø", actual: 50 + deviation, set: 50, unit: "mm" };
+  const limits = { low: -0.03, high: 0.03, used: Math.abs(deviation) / 0.03 };
+  const named = { name: "", label: words, heading: words, symbol: "Ø", unit: "mm" };
+  const figure = { ...named, actual: 50 + deviation, set: 50, limits };
+  const calibration = { key: "panel-form", args: {} };
   return {
     from: line,
     to: line,
@@ -248,6 +251,8 @@ function measured(kind: BandKind, verdict: RunAnswer["verdict"], deviation: numb
     verdict,
     verdict_words: { key: "panel-results", args: {} },
     why: words,
+    probe: { number: 1, tool: false, name: words, state: verdict === "beyond" ? "differs" : "run", calibration },
+    alarms: verdict === "beyond" ? ["62304"] : [],
   };
 }
 
@@ -258,7 +263,12 @@ function wholes(): States {
     { ...measured("bad", "alarm", 0, 9), figures: [] },
   ];
   return [rows.slice(0, 1), rows].map(answers => {
-    const whole = createWhole(store, actions, () => undefined);
+    const whole = createWhole(
+      store,
+      actions,
+      () => undefined,
+      () => undefined,
+    );
     const run = { answers, finished: true } as unknown as RunView;
     const derived = { run, read: { calls: [] }, step: 3 } as unknown as Derived;
     whole.draw(patched(store.state, { view: { source: "program" } }), derived);

@@ -1,26 +1,27 @@
-// The measurements of a program as a file for spreadsheets: UTF-8 with a mark, so that they see it is. Where people
-// write a decimal comma, as in German, it stands there and fields are parted by semicolons; else a point and commas.
+// The record of a run as a file for spreadsheets: UTF-8 with a mark, so that they see it is; in languages with a decimal
+// comma it stands there and fields are parted by semicolons. The core writes the same for the terminal
+// (app/record/table.rs); docs/hole.record.csv holds the two together.
 
 import { shortLine } from "../desk/beside";
-import { language, say, t } from "../texts";
-import type { RunView } from "../wire";
-import { correctedText } from "./amounts";
+import { say, t } from "../texts";
+import type { Correction, Figure, RunRecord } from "../wire";
 
-type Row = RunView["answers"][number];
-type Files = RunView["files"];
+type Call = RunRecord["calls"][number];
 const MARK = "\ufeff";
 const DECIMALS = 6;
+const COLUMNS = [
+  ...["number", "line", "cycle", "feature", "quantity", "nominal", "low", "high", "actual", "deviation", "used"],
+  ...["unit", "verdict", "corrects", "probe", "calibration", "alarms", "why"],
+];
 
-/** Whether numbers of the language that is shown have a decimal comma. */
-function hasComma(): boolean {
-  return new Intl.NumberFormat(language()).format(0.5).includes(",");
-}
+const unit = (name: string): string => (name === "deg" ? "°" : name);
 
 /** A figure without needless zeros. */
-function figure(value: number | undefined, comma: boolean): string {
-  if (value === undefined || !Number.isFinite(value)) return "";
-  const text = String(Number(value.toFixed(DECIMALS)));
-  return comma ? text.replace(".", ",") : text;
+function figure(value: number | undefined | null, comma: boolean): string {
+  if (value === undefined || value === null || !Number.isFinite(value)) return "";
+  const text = value.toFixed(DECIMALS).replace(/\.?0+$/, "");
+  const shown = text === "-0" ? "0" : text;
+  return comma ? shown.replace(".", ",") : shown;
 }
 
 /** In quotes where it has to be; what a spreadsheet would take for a formula gets an apostrophe. */
@@ -29,35 +30,36 @@ function field(text: string, parted: string): string {
   return safe.includes(parted) || /["\r\n]/.test(safe) ? `"${safe.replaceAll('"', '""')}"` : safe;
 }
 
-/** A line for each quantity of each call. */
-function linesOf(row: Row, index: number, comma: boolean, files: Files): string[][] {
-  const limits = row.gauge?.bands.filter(one => one.kind !== "bad") ?? [];
-  const line = row.line === undefined ? "" : shortLine(files, row.line);
-  const call = [String(index + 1), line, row.cycle ?? "", say(row.feature)];
-  const end = [say(row.verdict_words), correctedText(row), row.alarm ?? "", say(row.why)];
-  const figures = row.figures.length ? row.figures : [undefined];
-  return figures.map(one => [
-    ...call,
-    one ? say(one.label) : "",
-    figure(one?.set, comma),
-    figure(one?.actual, comma),
-    figure(one?.deviation, comma),
-    one?.unit ? t(`unit-${one.unit}`) : "",
-    figure(limits[0]?.from, comma),
-    figure(limits[limits.length - 1]?.to, comma),
-    ...end,
-  ]);
+function corrected(all: readonly Correction[], comma: boolean): string {
+  const one = ({ target, parts }: Correction): string => {
+    const by = parts.map(part => {
+      const behind = part.unit === "deg" ? "°" : ` ${unit(part.unit)}`;
+      return ` ${part.name} ${figure(part.by, comma)}${behind}`;
+    });
+    return say(target) + by.join("");
+  };
+  return all.map(one).join(", ");
 }
 
-/** `files`: where those beside the program begin, by its lines. */
-export function csv(rows: Row[], files: Files): string {
-  const comma = hasComma();
+/** A line for each quantity of each call. */
+function linesOf(call: Call, index: number, comma: boolean, files: RunRecord["files"]): string[][] {
+  const line = call.line === undefined ? "" : shortLine(files, call.line);
+  const row = (one: Figure | undefined): string[] => [
+    ...[String(index + 1), line, call.cycle ?? "", say(call.feature), one ? say(one.label) : ""],
+    ...[one?.set, one?.limits?.low, one?.limits?.high].map(value => figure(value, comma)),
+    ...[one?.actual, one?.deviation, one?.limits?.used].map(value => figure(value, comma)),
+    ...[one ? unit(one.unit) : "", say(call.verdict_words), corrected(call.corrected, comma)],
+    ...[say(call.probe.name), say(call.probe.calibration), call.alarms.join(" "), say(call.why)],
+  ];
+  return call.figures.length ? call.figures.map(row) : [row(undefined)];
+}
+
+export function csv({ calls, files }: Pick<RunRecord, "calls" | "files">): string {
+  const comma = t("record-decimal-sign") === ",";
   const parted = comma ? ";" : ",";
-  const heads = ["number", "line", "cycle", "feature", "quantity", "nominal", "actual", "deviation", "unit"];
-  const more = ["low", "high", "verdict", "corrects", "alarm", "why"];
   const all = [
-    [...heads, ...more].map(one => t(`whole-${one}-name`)),
-    ...rows.flatMap((row, index) => linesOf(row, index, comma, files)),
+    COLUMNS.map(one => t(`record-column-${one}`)),
+    ...calls.flatMap((call, index) => linesOf(call, index, comma, files)),
   ];
   return `${MARK}${all.map(line => line.map(text => field(text, parted)).join(parted)).join("\r\n")}\r\n`;
 }

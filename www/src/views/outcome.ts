@@ -187,8 +187,9 @@ export function createOutcome(
   actions: Actions,
   goToLine: (line: number) => void,
   lacks: Lacks,
+  paper: (which: "record") => void,
 ): (state: State, derived: Derived) => void {
-  const whole = createWhole(store, actions, goToLine);
+  const whole = createWhole(store, actions, goToLine, paper);
   const root = el("div");
   const [before, behind] = [el("div"), el("div", { class: "lacks" })];
   page.append(before, whole.root, root, behind);

@@ -13,10 +13,11 @@ import type { Answer, CallView, CycleInfo, Field, FormView } from "../wire";
 import { correctedText, figureText, mainFigures } from "./amounts";
 import { inOneLine, piecesOf } from "./code";
 import { createPicture } from "./picture";
+import { recordSheet } from "./record-sheet";
 import { heading } from "./sheet";
 import type { Stage } from "./stage";
 
-export type Paper = "sheet" | "report";
+export type Paper = "sheet" | "report" | "record";
 type Draw = typeof import("../preview/still");
 
 const MOST = 200; // calls in a report
@@ -178,7 +179,7 @@ function inForm({ cycle, view, opened }: Derived): Printed {
 }
 
 /**
- * Prints a sheet of the call in the form, or the report of the program: without a graphics card the stage would draw
+ * Prints a sheet of the call in the form, the record of a run, or the report of the program: without a graphics card the stage would draw
  * hundreds of pictures for minutes, so those are simple ones.
  */
 export function createPaper(
@@ -199,6 +200,13 @@ export function createPaper(
     const all = core();
     if (!here || !all) return;
     const { state, derived } = here;
+    if (paper === "record") {
+      if (!derived.run) return;
+      clear();
+      document.body.append(el("div", { class: "paper" }, recordSheet(state, derived, derived.run, draw)));
+      root.dataset.paper = paper;
+      return print();
+    }
     const head = (): HTMLElement => heading(state, derived);
     const { calls } = derived.read;
     const printed =

@@ -66,6 +66,7 @@ export function createResults(
   goTo: (offset: number) => void,
   goToLine: (line: number) => void,
   given: Pick<Lacks, "pickFiles" | "machineValues">,
+  paper: (which: "record") => void,
 ): Draw {
   const bar = el("div", { role: "tablist", class: "tabs", "aria-label": t("panel-results") });
   const answer = createAnswer();
@@ -105,7 +106,7 @@ export function createResults(
     },
   };
   const draws: Draw[] = [
-    createOutcome(page("outcome"), store, actions, goToLine, lacks),
+    createOutcome(page("outcome"), store, actions, goToLine, lacks, paper),
     createFindings(page("problems"), actions, goTo, lacks),
     createMotions(page("motions"), store),
     createLog(page("log")),

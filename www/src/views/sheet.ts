@@ -20,7 +20,7 @@ const PATIENCE = 1000; // ms until the drawing is fetched, idle or not
 type Draw = typeof import("../preview/still");
 
 /** With the customs of the reader's country where it is one of the language. */
-function now(): string {
+export function now(): string {
   const customs = navigator.language.startsWith(language()) ? navigator.language : language();
   return new Date().toLocaleString(customs, { dateStyle: "long", timeStyle: "short" });
 }

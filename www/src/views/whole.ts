@@ -7,16 +7,17 @@ import type { Actions } from "../desk/actions";
 import { lineIn, shortLine } from "../desk/beside";
 import type { Derived } from "../desk/derive";
 import { el, on, setAttribute, setText, show } from "../dom";
-import { icon, iconPart } from "../icons";
+import { type IconName, icon, iconPart } from "../icons";
 import { type Command, meantBy } from "../keys";
 import { fileOf, saveFile } from "../state/files";
 import type { State } from "../state/state";
 import type { Store } from "../state/store";
 import { language, listed, say, t } from "../texts";
-import type { FileStart, RunView } from "../wire";
+import type { FileStart, RunRecord, RunView } from "../wire";
 import { amount, correctedText, mainFigures } from "./amounts";
 import { VERDICT_ICONS } from "./answer";
 import { csv } from "./csv";
+import { recordOf, recordText } from "./record";
 
 type Row = RunView["answers"][number];
 const BEYOND = 6; // rows drawn above and below what is in sight
@@ -39,15 +40,18 @@ const COLUMNS = [
   "deviation",
   "verdict",
   "corrects",
+  "probe",
 ] as const;
 type Column = (typeof COLUMNS)[number];
 
-/** The deviation that decides, as a share of its limit. */
-function share({ gauge, figures }: Row): number {
-  if (!gauge) return Math.abs(figures[0]?.deviation ?? 0) * 1e-9;
-  const wide = Math.max(-gauge.low, gauge.high);
-  return Math.max(...gauge.needles.map(one => Math.abs(one.value))) / wide;
+/** The share of its limit that the deviation takes which decides; null: nothing limits it. */
+function used({ figures }: Row): number | null {
+  const shares = figures.flatMap(one => one.limits?.used ?? []);
+  return shares.length ? Math.max(...shares) : null;
 }
+
+/** What is limited comes by its share, all else by its deviation, behind it. */
+const share = (row: Row): number => used(row) ?? Math.abs(row.figures[0]?.deviation ?? 0) * 1e-9;
 
 /** What a column is sorted by. */
 const SORTED: Record<Column, (row: Row, index: number) => number | string> = {
@@ -60,6 +64,7 @@ const SORTED: Record<Column, (row: Row, index: number) => number | string> = {
   deviation: row => -Math.abs(row.figures[0]?.deviation ?? 0),
   verdict: row => WORST.indexOf(row.verdict) - share(row) * 1e-3,
   corrects: row => correctedText(row),
+  probe: ({ probe }) => Number(probe.tool) * 1e6 + probe.number + (probe.state === "differs" ? 0 : 0.5),
 };
 
 function sorted(rows: Row[], column: Column, down: boolean): number[] {
@@ -92,6 +97,27 @@ function bar({ gauge }: Row): TemplateResult | string {
   </svg>`;
 }
 
+/** The bar with its limits and the share of them below it. */
+function limited(row: Row): TemplateResult | string {
+  const limits = row.figures.find(one => one.limits)?.limits;
+  const unit = row.gauge?.unit ?? "";
+  if (!limits) return "";
+  const [low, high] = [limits.low, limits.high].map(one => amount(one, unit, true));
+  const part = used(row);
+  const told = part === null ? "" : t("whole-used", { share: Math.round(part * 100) });
+  return html`${bar(row)}<span class="limits-text" title=${t("whole-between", { low: low ?? "", high: high ?? "" })}
+      >${limits.low === -limits.high ? `±${amount(limits.high, unit)}` : `${low} ${high}`}<b>${told}</b></span
+    >`;
+}
+
+/** Whence the calibration of a probe. */
+const CALIBRATED: Record<Row["probe"]["state"], IconName> = {
+  calibrates: "gauge",
+  run: "check",
+  stored: "history",
+  differs: "warning",
+};
+
 const lines = (texts: string[]): TemplateResult[] => texts.map(text => html`<span>${text}</span>`);
 
 function cells(row: Row, index: number, files: readonly FileStart[] | undefined): Record<Column, unknown> {
@@ -105,12 +131,16 @@ function cells(row: Row, index: number, files: readonly FileStart[] | undefined)
     line: row.line === undefined ? "–" : shortLine(files, row.line),
     nominal: lines(main.map(one => size(one.set, one.unit))),
     actual: lines(main.length ? main.map(one => `${one.symbol} ${size(one.actual, one.unit)}`.trim()) : ["–"]),
-    limits: bar(row),
+    limits: limited(row),
     deviation: lines(off.length ? off : ["–"]),
     verdict: html`<span class="verdict" data-verdict=${row.verdict} title=${say(row.why)}
       >${iconPart(VERDICT_ICONS[row.verdict])}${say(row.verdict_words)}</span
     >`,
     corrects: correctedText(row) || t("bar-nothing"),
+    probe: html`<span class="probe" data-state=${row.probe.state} title=${say(row.probe.name)}
+      >${row.probe.number}${iconPart(CALIBRATED[row.probe.state])}<span class="visually-hidden"
+        >${say(row.probe.calibration)}</span
+      ></span>`,
   };
 }
 
@@ -123,10 +153,14 @@ export function createWhole(
   store: Store,
   actions: Pick<Actions, "cursor">,
   goToLine: (line: number) => void,
+  paper: (which: "record") => void,
 ): { root: HTMLElement; draw(state: State, derived: Derived): void } {
   const counts = el("p", { class: "whole-counts" });
   const worst = el("button", { type: "button" }, t("whole-worst"));
-  const save = el("button", { type: "button", title: t("whole-csv-hint") }, icon("download"), t("whole-csv"));
+  const saving = (way: "csv" | "json"): HTMLButtonElement =>
+    el("button", { type: "button", title: t(`whole-${way}-hint`) }, icon("download"), t(`whole-${way}`));
+  const [asTable, asDocument] = [saving("csv"), saving("json")];
+  const onPaper = el("button", { type: "button", title: t("whole-print-hint") }, icon("print"), t("whole-print"));
   const head = el("div", { class: "whole-head", role: "row" });
   const space = el("div", { class: "whole-space", role: "rowgroup" });
   const table = el(
@@ -136,7 +170,8 @@ export function createWhole(
     space,
   );
   const error = el("p", { class: "whole-error", role: "note" });
-  const top = el("div", { class: "whole-top" }, el("h3", {}, t("whole-title")), counts, worst, save);
+  const ways = [worst, asTable, asDocument, onPaper];
+  const top = el("div", { class: "whole-top" }, el("h3", {}, t("whole-title")), counts, ...ways);
   const root = el("section", { class: "whole" }, top, error, table);
 
   let run: RunView | null = null;
@@ -148,7 +183,8 @@ export function createWhole(
   let step = -1;
   let line = -1;
   let spoken = "";
-  let name = "";
+  let file = "";
+  const name = (): string => (file || "program").replace(/\.[^.]*$/, "");
 
   const rows = (): Row[] => run?.answers ?? [];
   const height = (): number => parseFloat(getComputedStyle(table).getPropertyValue("--row")) || 36;
@@ -237,7 +273,16 @@ export function createWhole(
   };
 
   on(worst, "click", () => sortBy("verdict", false));
-  on(save, "click", () => saveFile(csv(rows(), run?.files), `${name}.csv`, "text/csv;charset=utf-8"));
+  const record = (): RunRecord | null => run && recordOf(run, file);
+  on(asTable, "click", () => {
+    const made = record();
+    if (made) saveFile(csv(made), `${name()}.csv`, "text/csv;charset=utf-8");
+  });
+  on(asDocument, "click", () => {
+    const made = record();
+    if (made) saveFile(recordText(made), `${name()}.json`, "application/json");
+  });
+  on(onPaper, "click", () => paper("record"));
   on(head, "click", event => {
     const next = (event.target as Element).closest<HTMLElement>("[data-column]")?.dataset.column as Column | undefined;
     if (next) sortBy(next, next === column && !down);
@@ -309,7 +354,7 @@ export function createWhole(
       show(root, visible);
       if (!visible) return;
       calls = derived.read.calls;
-      name = (fileOf(state).name || "program").replace(/\.[^.]*$/, "");
+      file = fileOf(state).name;
       const shownIn = language();
       if (run !== derived.run || spoken !== shownIn) {
         run = derived.run;

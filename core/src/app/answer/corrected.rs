@@ -9,6 +9,7 @@ use std::collections::BTreeMap;
 
 /// A frame, tool, register or probe that was corrected.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Correction {
     /// What it is.
@@ -19,6 +20,7 @@ pub struct Correction {
 
 /// A value of it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Part {
     /// Axis, length or radius: `X`, `L1`, `R`.

@@ -1,5 +1,6 @@
 //! What was measured: actual value, setpoint and deviation of each quantity, as the results of the call have them.
 
+use super::gauge::Limited;
 use super::{axes, element};
 use crate::control::Units;
 use crate::entry::{Element, Inputs, ResultField, Unit, names};
@@ -11,6 +12,7 @@ use std::collections::BTreeMap;
 
 /// A quantity that was measured.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
 pub struct Figure {
     /// The result that has its actual value: `_OVR[4]`.
@@ -31,6 +33,9 @@ pub struct Figure {
     pub deviation: Option<f64>,
     /// Unit at the call.
     pub unit: &'static str,
+    /// What limits its deviation; absent: nothing.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub limits: Option<Limited>,
 }
 
 /// Sort of a quantity.
@@ -211,6 +216,7 @@ pub(super) fn found(called: &Called, entries: &[Entry]) -> Vec<(Sort, Figure)> {
             set: of(set).or_else(|| deviation.filter(|_| !compares(inputs)).map(|deviation| value - deviation)),
             deviation,
             unit: unit(field.unit, called.units),
+            limits: None,
         };
         Some((*sort, figure))
     });

@@ -1,6 +1,6 @@
 //! Where deviations lie in their limits, as figures of a scale.
 
-use super::figures::{Sort, found, measured, written};
+use super::figures::{Figure, Sort, found, measured, written};
 use super::shown;
 use crate::control::Control;
 use crate::entry::{Inputs, ProbeUse, address, names};
@@ -11,6 +11,7 @@ use serde::Serialize;
 
 /// A scale with limits and needles; all figures in one unit.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Gauge {
     /// Unit of all figures.
@@ -29,6 +30,7 @@ pub struct Gauge {
 
 /// A part of a scale.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Band {
     /// What a deviation there means.
@@ -42,6 +44,7 @@ pub struct Band {
 /// What a deviation means.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub enum BandKind {
     /// Within.
@@ -54,6 +57,7 @@ pub enum BandKind {
 
 /// A limit.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Mark {
     /// Parameter that gives it.
@@ -64,6 +68,7 @@ pub struct Mark {
 
 /// A deviation.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Needle {
     /// Axis or quantity; empty: the only one.
@@ -72,6 +77,29 @@ pub struct Needle {
     pub value: f64,
     /// Where it lies.
     pub kind: BandKind,
+}
+
+/// What limits the deviation of a quantity.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
+pub struct Limited {
+    /// Smallest deviation that is permitted.
+    pub low: f64,
+    /// Largest one.
+    pub high: f64,
+    /// Share of the limit on its side that the deviation takes, empirical value included: 1 on the limit; absent: there
+    /// is no room on that side.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub used: Option<f64>,
+}
+
+impl Limited {
+    fn new(low: f64, high: f64, value: f64) -> Limited {
+        let limit = if value < 0.0 { low } else { high };
+        let used = (limit.abs() > RESOLUTION).then(|| value / limit).filter(|share| *share >= 0.0);
+        Limited { low, high, used }
+    }
 }
 
 /// Ends of a scale by the widest limit that is coloured.
@@ -104,8 +132,9 @@ struct Limits {
     reached: bool,
 }
 
-/// The gauge of a call; none where nothing limits it, or nothing was measured.
-pub(super) fn gauge(called: &Called, entries: &[Entry], control: &Control) -> Option<Gauge> {
+/// The gauge of a call; none where nothing limits it, or nothing was measured. The figures that it watches are told
+/// their limits.
+pub(super) fn gauge(called: &Called, entries: &[Entry], control: &Control, figures: &mut [Figure]) -> Option<Gauge> {
     let inputs = &called.inputs;
     let limits = limits(inputs)?;
     let sorts = found(called, entries);
@@ -121,6 +150,9 @@ pub(super) fn gauge(called: &Called, entries: &[Entry], control: &Control) -> Op
     let needles: Vec<Needle> = watched
         .map(|(sort, figure)| {
             let value = figure.deviation.unwrap_or(0.0) - offset;
+            if let Some(told) = figures.iter_mut().find(|one| one.name == figure.name) {
+                told.limits = Some(Limited::new(low, high, value));
+            }
             Needle { label: label(*sort, &figure.symbol), value, kind: kind(value) }
         })
         .collect();

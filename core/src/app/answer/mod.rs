@@ -8,7 +8,7 @@ mod tests;
 
 pub use corrected::{Correction, Part};
 pub use figures::Figure;
-pub use gauge::{Band, BandKind, Gauge, Mark, Needle};
+pub use gauge::{Band, BandKind, Gauge, Limited, Mark, Needle};
 
 use super::outcome::Raised;
 use crate::catalogue::alarms;
@@ -24,6 +24,7 @@ use serde::Serialize;
 
 /// What a call came to.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
 pub struct Answer {
     /// What is measured, in words.
@@ -49,6 +50,7 @@ pub struct Answer {
 /// What follows from a measurement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub enum Verdict {
     /// Within all limits.
@@ -93,8 +95,8 @@ pub(super) fn answer(called: &Called, outcome: &run::Outcome) -> Answer {
     let entries = &entries[..];
     let stop = outcome.stop.as_ref().filter(|_| !ended);
     let inputs = &called.inputs;
-    let figures = figures::figures(called, entries);
-    let gauge = gauge::gauge(called, entries, &outcome.control);
+    let mut figures = figures::figures(called, entries);
+    let gauge = gauge::gauge(called, entries, &outcome.control, &mut figures);
     let raised = raised(entries);
     let over = gauge.as_ref().and_then(Gauge::worst).map(|worst| worst > 0.0);
     let (verdict, alarm) = verdict(inputs, stop, raised, over, gauge.is_some());

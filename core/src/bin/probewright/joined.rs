@@ -2,6 +2,7 @@
 //! in the file where it stands.
 
 use crate::file::{self, Problem};
+use probewright_core::app::RecordFile;
 use probewright_core::diagnostic::{Diagnostic, Edit, Span};
 use probewright_core::dialect::Dialect;
 use probewright_core::syntax::joined;
@@ -35,6 +36,11 @@ fn every(program: &Path, with: &[PathBuf]) -> Result<Vec<PathBuf>, Problem> {
     Ok(found)
 }
 
+/// Name of a file without its folder.
+fn name(path: &Path) -> String {
+    path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned())
+}
+
 /// Whether a file of a folder is one of the programs or definitions of a machine, by its ending.
 fn is_program(path: &Path) -> bool {
     let name = path.file_name().map_or_else(String::new, |name| name.to_string_lossy().to_ascii_lowercase());
@@ -60,8 +66,7 @@ impl Joined {
         let mut joined = joined::Joined::new(dialect, source);
         for path in &every(path, with)? {
             let source = file::program(path)?;
-            let name = path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
-            joined.add(&name, &source);
+            joined.add(&name(path), &source);
             sources.push((path.clone(), Some(source)));
         }
         let (mut line, mut from) = (0, 0);
@@ -100,6 +105,17 @@ impl Joined {
     pub fn within(&self, line: u32) -> (Option<String>, u32) {
         let part = self.parts.iter().skip(1).rfind(|part| part.line < line);
         part.map_or((None, line), |part| (Some(part.path.display().to_string()), line - part.line))
+    }
+
+    /// Name of the file with the program.
+    pub fn name(&self) -> String {
+        self.parts.first().map_or_else(String::new, |part| name(&part.path))
+    }
+
+    /// The files beside the program.
+    pub fn beside(&self) -> Vec<RecordFile> {
+        let beside = self.parts.iter().skip(1);
+        beside.map(|part| RecordFile { name: name(&part.path), line: part.line + 1 }).collect()
     }
 
     /// The files that something was found in, the program in any case, each with what was found there.

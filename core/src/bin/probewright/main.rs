@@ -12,6 +12,7 @@ mod joined;
 mod log;
 mod progress;
 mod read;
+mod record;
 mod run;
 mod scan;
 mod stream;

@@ -5,7 +5,7 @@ use crate::file::Problem;
 use crate::joined::Joined;
 use crate::progress::Progress;
 use crate::stream::Stream;
-use crate::{document, file, log, scan};
+use crate::{document, file, log, record, scan};
 use probewright_core::app::{RunAssumed, RunView};
 use probewright_core::catalogue::alarms;
 use probewright_core::control::Value;
@@ -52,16 +52,19 @@ pub struct Arguments {
     print: Option<PathBuf>,
     #[arg(long, value_name = "FOLDER")]
     log: Option<PathBuf>,
+    #[arg(long, value_name = "FILE")]
+    record: Option<PathBuf>,
     #[command(flatten)]
     scan: scan::Files,
 }
 
 /// Runs a program; 1 when it has an error or did not reach its end.
 pub fn run(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Result<ExitCode, Problem> {
+    let record = arguments.record.as_deref().map(record::File::of).transpose()?;
     let text = Text::of(arguments)?;
     let given = Given { program: arguments.program.clone(), values: values(&arguments.arg)? };
     let limits = Limits { steps: arguments.max_blocks, strict: arguments.strict, ..Limits::default() };
-    let limits = if arguments.json { limits } else { limits.unrecorded() };
+    let limits = if arguments.json || record.is_some() { limits } else { limits.unrecorded() };
     let setup = setup(arguments, words, out)?;
     let mut text = text.on(setup.as_ref(), arguments)?;
     let mut progress = Progress::new(words);
@@ -76,7 +79,7 @@ pub fn run(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Result<
     let outcome = if arguments.json {
         let mut view = RunView::new(setup.clone(), outcome, &joined.text);
         if arguments.setup.is_none() {
-            view.assumed = Some(RunAssumed { messages: told, setup });
+            view.assumed = Some(RunAssumed { messages: told, setup: setup.clone() });
         }
         document::print(view, words, out)?
     } else {
@@ -90,6 +93,9 @@ pub fn run(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Result<
     if let Some(print) = &arguments.print {
         let lines = outcome.printed().into_iter();
         file::write(print, lines.map(|line| format!("{line}\n")))?;
+    }
+    if let Some(record) = record {
+        record.write(joined.name(), joined.beside(), &setup, &outcome, words)?;
     }
     arguments.scan.write(&outcome.scans)?;
     let written = match (&arguments.log, arguments.json) {
@@ -155,7 +161,8 @@ struct Text {
 impl Text {
     fn of(arguments: &Arguments) -> Result<Text, Problem> {
         let language = |source: &[u8]| file::dialect(arguments.control, source);
-        let alone = !arguments.json && arguments.with.is_empty() && arguments.program.is_none();
+        let whole = arguments.json || arguments.record.is_some();
+        let alone = !whole && arguments.with.is_empty() && arguments.program.is_none();
         match alone.then(|| Stream::of(&arguments.file, language)).flatten() {
             Some(stream) => Ok(Text { joined: Joined::unheld(&arguments.file, stream.dialect), stream: Some(stream) }),
             None => Text::whole(arguments),

@@ -163,9 +163,11 @@ fn an_error_of_a_setup_names_the_member_and_its_place() {
 #[test]
 fn the_schemas_in_docs_are_those_of_the_code() {
     use crate::setup_file::{SetupFile, schema};
-    for (name, schema) in
-        [("setup.schema.json", schema::<SetupFile>()), ("scenario.schema.json", schema::<crate::app::Scenario>())]
-    {
+    for (name, schema) in [
+        ("setup.schema.json", schema::<SetupFile>()),
+        ("scenario.schema.json", schema::<crate::app::Scenario>()),
+        ("record.schema.json", schema::<crate::app::Record>()),
+    ] {
         let schema = format!("{}\n", serde_json::to_string_pretty(&schema).unwrap());
         if std::env::var_os("PROBEWRIGHT_UPDATE").is_some() {
             std::fs::write(docs(name), &schema).unwrap();

@@ -125,6 +125,7 @@ fn the_types_of_the_page_are_those_of_the_core() {
     types.visit::<Trace>();
     types.visit::<RunRequest>();
     types.visit::<RunView>();
+    types.visit::<Record>();
     types.visit::<OfCall>();
     types.visit::<ScanRequest>();
     types.visit::<ScanView>();

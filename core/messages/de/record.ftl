@@ -1,0 +1,29 @@
+# Das Protokoll eines Laufs: Spalten seiner Tabelle, Messtaster einer Messung, was die Werte taugen.
+
+record-column-number = Nummer
+record-column-line = Zeile
+record-column-cycle = Zyklus
+record-column-feature = Messelement
+record-column-quantity = Größe
+record-column-nominal = Sollwert
+record-column-low = Untere Grenze
+record-column-high = Obere Grenze
+record-column-actual = Istwert
+record-column-deviation = Abweichung
+record-column-used = Ausnutzung der Grenze
+record-column-unit = Einheit
+record-column-verdict = Bewertung
+record-column-corrects = Korrigiert
+record-column-probe = Messtaster
+record-column-calibration = Kalibrierung
+record-column-alarms = Alarme
+record-column-why = Grund
+record-decimal-sign = ,
+record-workpiece-probe = Werkstückmesstaster { $number }
+record-tool-probe = Werkzeugmesstaster { $number }
+record-calibrates = kalibriert hier
+record-calibrated-run = in diesem Lauf kalibriert
+record-calibrated-stored = vor dem Lauf gespeichert
+record-calibrated-differs = vor dem Lauf gespeichert, nicht die dieses Messtasters
+record-worth-simulated = Simulierte Werte: Sie zeigen, was das Programm mit dem Werkstück tut, das die Maschineneinrichtung beschreibt. Es sind keine Messwerte.
+record-worth-machine = Eine Messung auf der Maschine, die das Teil gefertigt hat, belegt den Prozess: Größe und Lage, wie diese Maschine sie mit ihrem Messtaster und bei ihrer Temperatur sieht. Die Fehler ihrer eigenen Achsen sieht sie nicht, denn sie stecken im Teil und in der Messung gleichermaßen; eine Prüfung auf einer unabhängigen Messmaschine ersetzt sie nicht.

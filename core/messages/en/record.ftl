@@ -1,0 +1,29 @@
+# The record of a run: headings of its table, the probe of a measurement, what its values are worth.
+
+record-column-number = Number
+record-column-line = Line
+record-column-cycle = Cycle
+record-column-feature = Element
+record-column-quantity = Quantity
+record-column-nominal = Setpoint
+record-column-low = Lower limit
+record-column-high = Upper limit
+record-column-actual = Actual
+record-column-deviation = Deviation
+record-column-used = Share of the limit used
+record-column-unit = Unit
+record-column-verdict = Verdict
+record-column-corrects = Corrects
+record-column-probe = Probe
+record-column-calibration = Calibration
+record-column-alarms = Alarms
+record-column-why = Reason
+record-decimal-sign = .
+record-workpiece-probe = workpiece probe { $number }
+record-tool-probe = tool probe { $number }
+record-calibrates = calibrates here
+record-calibrated-run = calibrated in this run
+record-calibrated-stored = stored before the run
+record-calibrated-differs = stored before the run, not that of this probe
+record-worth-simulated = Simulated values: they show what the program does with the part that the setup describes. They are no measurements.
+record-worth-machine = A measurement on the machine that cut the part proves the process: size and position as this machine sees them, with its probe and at its temperature. It does not see the errors of the machine’s own axes, which are in the part and in the measurement alike, and replaces no inspection on an independent measuring machine.

@@ -1,0 +1,29 @@
+# 运行的测量报告：表头、测量所用的测头、数值的意义。
+
+record-column-number = 序号
+record-column-line = 行
+record-column-cycle = 循环
+record-column-feature = 要素
+record-column-quantity = 测量项
+record-column-nominal = 设定值
+record-column-low = 下限
+record-column-high = 上限
+record-column-actual = 实际值
+record-column-deviation = 偏差
+record-column-used = 占限值的比例
+record-column-unit = 单位
+record-column-verdict = 判定
+record-column-corrects = 补偿
+record-column-probe = 测头
+record-column-calibration = 校准
+record-column-alarms = 报警
+record-column-why = 原因
+record-decimal-sign = .
+record-workpiece-probe = 工件测头 { $number }
+record-tool-probe = 刀具测头 { $number }
+record-calibrates = 在此校准
+record-calibrated-run = 在本次运行中校准
+record-calibrated-stored = 运行前已存储
+record-calibrated-differs = 运行前已存储，与此测头不符
+record-worth-simulated = 模拟值：说明程序在机床配置文件所述的工件上会做什么，不是测量结果。
+record-worth-machine = 在加工该零件的机床上测量，证明的是加工过程：该机床以其测头、在其温度下看到的尺寸和位置。机床自身各轴的误差同样存在于零件和测量之中，因而测不出来；这种测量不能代替在独立测量机上的检验。

@@ -1,0 +1,96 @@
+//! The record of a run: every measurement with its limits, the probe and what came of it. Its schema is
+//! `docs/record.schema.json`.
+
+mod probes;
+mod table;
+#[cfg(test)]
+mod tests;
+
+pub use probes::{CalibrationState, ProbeOfCall};
+pub(super) use probes::{Probes, probe_of};
+pub use table::csv;
+
+use super::run::{RunAnswer, answers};
+use crate::dialect::Dialect;
+use crate::machine::Setup;
+use crate::message::Message;
+use crate::run::Outcome;
+use serde::Serialize;
+
+/// Version of the format.
+const FORMAT: u32 = 1;
+
+/// The record of a run. Lengths in the unit beside them, angles in degree. Every `key` names a text of Probewright and
+/// stays the same in all languages; `text` is what it says.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "RunRecord"))]
+pub struct Record {
+    /// Version of this format: 1.
+    pub format: u32,
+    /// Name of the file with the program.
+    pub program: String,
+    /// Where the values come from.
+    pub about: RecordAbout,
+    /// Files beside the program: lines go on there.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(test, ts(optional, as = "Option<Vec<RecordFile>>"))]
+    pub files: Vec<RecordFile>,
+    /// How the run ended.
+    pub ending: Message,
+    /// The measuring calls in their order.
+    pub calls: Vec<RunAnswer>,
+}
+
+/// A file beside the program.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct RecordFile {
+    /// Name of the file.
+    pub name: String,
+    /// Its first line, from 1.
+    pub line: u32,
+}
+
+/// Where the values of a record come from.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct RecordAbout {
+    /// Control.
+    pub control: Dialect,
+    /// What the user calls the machine; empty: nothing.
+    pub machine: String,
+    /// Date and time of the control when the program began, `2026-05-31T08:00:00`.
+    pub clock: String,
+    /// Diameter of the ball of the workpiece probe, mm.
+    pub ball: f64,
+    /// What such values are worth, and what they are not, a sentence each.
+    pub worth: Vec<Message>,
+}
+
+impl RecordAbout {
+    /// Of a run on a machine.
+    pub fn new(setup: &Setup) -> RecordAbout {
+        RecordAbout {
+            control: setup.control.dialect,
+            machine: setup.name.clone(),
+            clock: setup.clock.to_string(),
+            ball: 2.0 * setup.probe.radius,
+            worth: ["record-worth-simulated", "record-worth-machine"].map(Message::new).into(),
+        }
+    }
+}
+
+impl Record {
+    /// Of a run of the program in the file of this name.
+    pub fn new(program: String, setup: &Setup, outcome: &Outcome, files: Vec<RecordFile>) -> Record {
+        let ending = outcome.ending(|line| match files.iter().rfind(|file| file.line <= line) {
+            Some(file) => (Some(file.name.clone()), line - file.line + 1),
+            None => (None, line),
+        });
+        let (about, calls) = (RecordAbout::new(setup), answers(setup, outcome));
+        Record { format: FORMAT, program, about, files, ending, calls }
+    }
+}
