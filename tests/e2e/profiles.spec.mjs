@@ -135,6 +135,24 @@ describe("machine profiles", () => {
     await other.context.close();
   });
 
+  // oracle: hand (a number that ends under its unit cannot be read)
+  test("each number ends before its unit", async () => {
+    const { context, page } = await startWithCycles(chrome);
+    await edit(page);
+    const covered = await page.locator(".equipment-field .figure").evaluateAll(figures =>
+      figures.flatMap(figure => {
+        const unit = figure.parentElement.querySelector(".unit");
+        if (!unit?.textContent.trim() || !figure.checkVisibility()) return [];
+        const end = figure.getBoundingClientRect().right - Number.parseFloat(getComputedStyle(figure).paddingRight);
+        const text = document.createRange();
+        text.selectNodeContents(unit);
+        return end > text.getBoundingClientRect().left ? [figure.id] : [];
+      }),
+    );
+    assert.deepEqual(covered, []);
+    await context.close();
+  });
+
   // oracle: hand
   test("a tool probe is added and undone in its table", async () => {
     const { context, page, problems } = await startWithEditor(chrome);
