@@ -87,8 +87,7 @@ export function createPractice(store: Store, core: () => ProgramCore | null): Pr
     }
     const done = refused ? lines.slice(0, refused.line - 1) : lines;
     const why = refused ? { ...refused, field, text: last } : null;
-    const program =
-      store.state.jog.program && (core()?.asProgram(requestOf({ ...asked, lines: done })) ?? null);
+    const program = store.state.jog.program && (core()?.asProgram(requestOf({ ...asked, lines: done })) ?? null);
     const told = seen.mask ? store.state.jog.told : [];
     const setup = profile(store.state) ?? null;
     set({ lines: done, seed, part, piece, revealed, seen, refused: why, told, program, setup });
