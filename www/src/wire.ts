@@ -1032,6 +1032,8 @@ export type JogAhead = {
   start: boolean,
   /** The point that would be stored, `P2`. */
   point?: string,
+  /** Whether it would wait for the user to store it. */
+  waits: boolean,
   /** Positions at which the probe would switch, in the WCS of the measurement, mm. */
   touches: Array<[number, number, number]>,
   /** The alarm that would come, or what would be hit. */
@@ -1578,6 +1580,8 @@ export type PracticeMask = {
   label: Message,
   /** Fields that are shown, in their order. */
   fields: Array<PracticeField>,
+  /** Whether the user stores each point after its touch; then none is rejected, by the PLC neither. */
+  stores: boolean,
   /** Lines of the left part, in their order. */
   shows: Array<PracticeShow>,
   /** What to do: sections of its help, in order. */
