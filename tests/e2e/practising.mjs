@@ -1,4 +1,5 @@
-// Speed of measuring in JOG: one function simulated, and in the page from NC start to the picture of the finished touch.
+// Speed of measuring in JOG: one function simulated, and in the page from NC start to the picture of the finished
+// touch.
 // What is done is tests/data/jog_practice.json, as in jog-all.spec.mjs. `bench.mjs` prints it.
 import { readFileSync } from "node:fs";
 import { open } from "./browser.mjs";

@@ -169,7 +169,19 @@ function toDo(mask: PracticeMask, practice: Practice): TemplateResult {
 /** What the next key would do from here. */
 function ahead({ ahead: next, raised: now }: PracticeView): TemplateResult | typeof nothing {
   if (!next || now) return nothing;
-  const { start, point, waits, touches, raised: why, refused, notes, results: shown, changes, activates, hidden } = next;
+  const {
+    start,
+    point,
+    waits,
+    touches,
+    raised: why,
+    refused,
+    notes,
+    results: shown,
+    changes,
+    activates,
+    hidden,
+  } = next;
   const place = (at: readonly number[]): string =>
     `${at.map((value, axis) => `${"XYZ".charAt(axis)} ${fixed(value, 3)}`).join(", ")} ${t("unit-mm")}`;
   const item = (kind: string, text: string): { kind: string; text: string } => ({ kind, text });
