@@ -14,7 +14,7 @@ async function functions(page) {
     const answer = globalThis["bench-program"].practise(
       JSON.stringify({ control: "sinumerik", script: "", hides: false }),
     );
-    const { areas } = JSON.parse(answer.view);
+    const { areas } = JSON.parse(answer.view());
     answer.free();
     return areas;
   });
@@ -36,7 +36,7 @@ async function simulated(page, { piece, lines }) {
     for (let n = 0; n < 150; n++) {
       const start = performance.now();
       const answer = core.practise(text);
-      answer.view;
+      answer.view();
       times.push(performance.now() - start);
       answer.free();
     }
