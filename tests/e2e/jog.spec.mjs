@@ -100,6 +100,10 @@ describe("an edge", () => {
     }
     for (let presses = 0; presses < 4; presses++) await page.keyboard.press("PageDown");
     await position(page, "Z").getByText("\u221210.000").waitFor();
+    const ahead = kind => page.locator(`.jog-ahead [data-ahead="${kind}"]`);
+    assert.equal(await ahead("touch").count(), 0, "the part is hidden");
+    assert.equal(await ahead("write").textContent(), "correct G54");
+    assert.equal(await page.locator(".jog-ahead .jog-quiet").count(), 1, "why no more is told");
     await page.keyboard.press("Control+Enter");
     await page.locator(".jog-activation").waitFor();
     await page.keyboard.press("Control+Enter");
@@ -108,6 +112,43 @@ describe("an edge", () => {
     await tabTo(page, ".jog-reveal");
     await page.keyboard.press("Enter");
     await page.locator(".jog-truth").waitFor();
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+});
+
+describe("the masks up to SW 6.2", () => {
+  // oracle: manual A:3188-3200: each point is stored by its softkey, three are enough
+  test("are chosen beside the axis keys, and a corner is stored point by point", async () => {
+    const { context, page, problems } = await open(chrome.browser, { path: "#jog", serviceWorkers: "block" });
+    await page.locator("[data-function=set_edge]").waitFor();
+    await page.locator("#jog-version").selectOption("set PW-JOG = 1");
+    await page.locator("[data-function=old_corner]").click();
+    assert.equal(await page.locator("[data-function]").count(), 0);
+    await field(page, "zo").selectOption("G54");
+    const places = ["X20 Y-20 Z-8", "X80", "Y-60 X-20 Y40"].map(axes => `move machine ${axes}`);
+    const [saved] = await Promise.all([
+      page.waitForEvent("download"),
+      page.getByRole("button", { name: "Save script" }).click(),
+    ]);
+    let script = (await (await saved.createReadStream()).toArray()).join("");
+    for (const [number, place] of places.entries()) {
+      script += `${place}\nstart\n`;
+      const buffer = Buffer.from(script);
+      await page
+        .locator(".jog > input[type=file]")
+        .setInputFiles({ name: "practice.jog", mimeType: "text/plain", buffer });
+      await page
+        .locator('.jog-point[data-waits="true"]')
+        .getByText(`Store P${number + 1}`)
+        .click();
+      assert.equal(await page.locator('.jog-point[data-stored="true"]').count(), number + 1);
+      script += `store P${number + 1}\n`;
+    }
+    assert.deepEqual([...(await faults(page)), ...(await small(page))], []);
+    await page.locator(".jog-calculate").click();
+    await page.locator('.jog-deviation[data-near="true"]').waitFor();
+    assert.equal(await page.locator(".jog-activation").count(), 0);
     assert.deepEqual(problems, []);
     await context.close();
   });
@@ -159,7 +200,7 @@ describe("before NC start", () => {
       page.getByRole("button", { name: "Save script" }).click(),
     ]);
     const script = (await (await saved.createReadStream()).toArray()).join("");
-    assert.match(script, /\nmove machine (Z[\d.-]+ )?(X[\d.-]+ )?Y-28 Z-[\d.]+\nstart\n/);
+    assert.match(script, /\nmove machine (Z[\d.-]+ )?(X[\d.-]+ )?Y-28 Z-[\d.]+\n(move machine .*\n)*start\n/);
     assert.deepEqual(problems, []);
     await context.close();
   });

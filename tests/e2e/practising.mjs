@@ -1,4 +1,5 @@
-// Speed of measuring in JOG: one function simulated, and in the page from NC start to the picture of the finished touch.
+// Speed of measuring in JOG: one function simulated, and in the page from NC start to the picture of the finished
+// touch.
 // What is done is tests/data/jog_practice.json, as in jog-all.spec.mjs. `bench.mjs` prints it.
 import { readFileSync } from "node:fs";
 import { open } from "./browser.mjs";
@@ -13,7 +14,7 @@ async function functions(page) {
     const answer = globalThis["bench-program"].practise(
       JSON.stringify({ control: "sinumerik", script: "", hides: false }),
     );
-    const { areas } = JSON.parse(answer.view);
+    const { areas } = JSON.parse(answer.view());
     answer.free();
     return areas;
   });
@@ -35,7 +36,7 @@ async function simulated(page, { piece, lines }) {
     for (let n = 0; n < 150; n++) {
       const start = performance.now();
       const answer = core.practise(text);
-      answer.view;
+      answer.view();
       times.push(performance.now() - start);
       answer.free();
     }

@@ -1037,6 +1037,8 @@ export type JogAhead = {
   start: boolean,
   /** The point that would be stored, `P2`. */
   point?: string,
+  /** Whether it would wait for the user to store it. */
+  waits: boolean,
   /** Positions at which the probe would switch, in the WCS of the measurement, mm. */
   touches: Array<[number, number, number]>,
   /** The alarm that would come, or what would be hit. */
@@ -1596,6 +1598,8 @@ export type PracticeMask = {
   label: Message,
   /** Fields that are shown, in their order. */
   fields: Array<PracticeField>,
+  /** Whether the user stores each point after its touch; then none is rejected, by the PLC neither. */
+  stores: boolean,
   /** Lines of the left part, in their order. */
   shows: Array<PracticeShow>,
   /** What to do: sections of its help, in order. */
@@ -2366,7 +2370,8 @@ export type Setup = {
   environments: { [key in string]: Environment },
   /**
    * What differs from delivery in user data, R parameters, machine data, # variables: `_WP[0,1]`, `_CHBIT[4]`,
-   * `R10`, `MD18600`, `#500`; and `PW-FORMS`, 1 where `_MZ_MASK` decides forms and code.
+   * `R10`, `MD18600`, `#500`; `PW-FORMS`, 1 where `_MZ_MASK` decides forms and
+   * code; `PW-JOG`, 1 where measuring in JOG has the masks up to SW 6.2.
    */
   data: { [key in string]: Datum },
   /**

@@ -159,6 +159,7 @@ jog-ahead-start = NC-Start würde
 jog-ahead-calculate = Berechnen würde
 jog-ahead-touch = bei { $place } antasten
 jog-ahead-store = { $point } speichern
+jog-ahead-hold = { $point } messen und warten, bis der Punkt gespeichert wird
 jog-ahead-raise = Alarm { $alarm } auslösen: { $text }
 jog-ahead-stop = anhalten: { $text }
 jog-ahead-refuse = nichts berechnen: { $text }

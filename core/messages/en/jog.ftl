@@ -159,6 +159,7 @@ jog-ahead-start = NC start would
 jog-ahead-calculate = Calculate would
 jog-ahead-touch = touch at { $place }
 jog-ahead-store = store { $point }
+jog-ahead-hold = measure { $point }, which waits until you store it
 jog-ahead-raise = raise alarm { $alarm }: { $text }
 jog-ahead-stop = stop: { $text }
 jog-ahead-refuse = calculate nothing: { $text }

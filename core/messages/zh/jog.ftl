@@ -159,6 +159,7 @@ jog-ahead-start = 若按 NC 启动，将会
 jog-ahead-calculate = 若按“计算”，将会
 jog-ahead-touch = 在 { $place } 处触碰
 jog-ahead-store = 存储 { $point }
+jog-ahead-hold = 测量 { $point }，等待存储
 jog-ahead-raise = 发出报警 { $alarm }：{ $text }
 jog-ahead-stop = 停止：{ $text }
 jog-ahead-refuse = 无法计算：{ $text }

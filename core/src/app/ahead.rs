@@ -22,6 +22,8 @@ pub struct JogAhead {
     /// The point that would be stored, `P2`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub point: Option<String>,
+    /// Whether it would wait for the user to store it.
+    pub waits: bool,
     /// Positions at which the probe would switch, in the WCS of the measurement, mm.
     pub touches: Vec<[f64; 3]>,
     /// The alarm that would come, or what would be hit.
@@ -69,12 +71,13 @@ pub fn ahead(session: &Session) -> Option<JogAhead> {
     let steps = copy.sim.trace.entries.behind(session.sim.trace.entries.len());
     let steps: Vec<Step> = steps.map(|entry| entry.step).collect();
     let raised = copy.stopped().filter(|_| start).map(Raised::stop);
-    let stores = start && raised.is_none() && !mask.at_once() && !mask.by_hand();
+    let stores = start && raised.is_none() && !mask.at_once();
     let point = session.points().iter().position(Option::is_none).filter(|_| stores);
     let calculates = raised.is_none() && done == Ok(true);
     Some(JogAhead {
         start,
         point: point.map(|number| format!("P{}", number + 1)),
+        waits: mask.by_hand(),
         touches: touches(session, &steps),
         raised,
         refused: done.err(),
@@ -104,9 +107,8 @@ pub fn hidden(session: &Session) -> Option<JogAhead> {
     });
     Some(JogAhead {
         start,
-        point: point
-            .filter(|_| raised.is_none() && !mask.at_once() && !mask.by_hand())
-            .map(|number| format!("P{}", number + 1)),
+        point: point.filter(|_| raised.is_none() && !mask.at_once()).map(|number| format!("P{}", number + 1)),
+        waits: mask.by_hand(),
         touches: Vec::new(),
         raised,
         refused: None,

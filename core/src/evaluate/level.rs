@@ -29,7 +29,7 @@ pub fn tilt(plane: Plane, from: &V3, to: &V3, before: &Rotation3<f64>) -> Rpy {
         let second = about(outer, to[last].atan2(to[next]) - between[last].atan2(between[next]));
         Rpy(std::array::from_fn(|axis| first[axis] + second[axis]))
     });
-    let away = |turn: Rpy| (before.inverse() * rigid::rotation(turn)).angle();
+    let away = |turn: Rpy| (rigid::rotation(turn).matrix() - before.matrix()).norm();
     if away(one) <= away(other) { one } else { other }
 }
 
@@ -49,6 +49,16 @@ pub fn heading(plane: Plane, rotation: &Rotation3<f64>) -> Degrees {
         Plane::G19 => seen.z.atan2(seen.y),
     };
     Degrees::of(angle)
+}
+
+/// By how much the turns about abscissa, ordinate and applicate have grown from one rotation to another, behind the
+/// heading of the first.
+pub fn added(plane: Plane, before: Rpy, after: Rpy) -> Rpy {
+    let [before, after] = [before, after].map(rigid::rotation);
+    let [.., applicate] = plane.axes();
+    let heading = rigid::rotation(Rpy::about(applicate, heading(plane, &before))).inverse();
+    let [before, after] = [before, after].map(|rotation| rigid::angles(&(heading * rotation)));
+    Rpy(std::array::from_fn(|axis| after[axis] - before[axis]))
 }
 
 #[cfg(test)]
@@ -117,6 +127,22 @@ mod tests {
                     let found = tilt(plane, &normal, &(before * normal), &before);
                     assert!((rigid::rotation(found).matrix() - before.matrix()).norm() < 1e-12, "{plane:?} {found:?}");
                 }
+            }
+        }
+    }
+
+    // oracle: definition, at rotations whose trace rounding makes larger than 3: found by a loop over many parts
+    #[test]
+    fn what_lies_right_stays_whatever_rounding_makes_of_it() {
+        for plane in Plane::ALL {
+            let [.., applicate] = plane.axes();
+            for step in 0..2000 {
+                let angle = |by: f64| 40.0 * (f64::from(step) * by).sin();
+                let whole = rigid::rotation(Rpy([angle(0.37), angle(0.73), angle(1.19)]));
+                let rest = rigid::rotation(Rpy::about(applicate, heading(plane, &whole))).inverse() * whole;
+                let normal = V3::ith(applicate, 1.0);
+                let found = rigid::rotation(tilt(plane, &normal, &(rest * normal), &rest));
+                assert!((found.matrix() - rest.matrix()).norm() < 1e-12, "{plane:?} {step}");
             }
         }
     }

@@ -648,8 +648,8 @@ impl Session {
         activation.toggle(name, word)
     }
 
-    /// Activates what was written: the probe is retracted, the zero offset becomes active, then the table turns the plane
-    /// under the probe, or the rotary axis moves where the part is aligned (B:3903-3906).
+    /// Activates what was written: the probe is retracted, the zero offset becomes active, then the table turns the
+    /// plane under the probe, or the rotary axis moves where the part is aligned (B:3903-3906).
     fn activate(&mut self) -> Result<(), Stop> {
         let Some(activation) = self.activation.clone() else { return Ok(()) };
         if activation.says(activation::RETRACT) {

@@ -28,7 +28,8 @@ const READY: &str = "mask align_edge\naxis = X\nref_axis = Y\nmove machine X-20 
 /// The corner up to SW 6.2, its first point touched.
 const CORNER: &str = "set PW-JOG = 1\nmask old_corner\nmove machine X20 Y-20 Z-5\nstart\n";
 
-// oracle: manual B:3034-3088, B:3684-3688, B:3722-3736 (what counts when), A:3188-3200 (up to SW 6.2); hand for the rest
+// oracle: manual B:3034-3088, B:3684-3688, B:3722-3736 (what counts when), A:3188-3200 (up to SW 6.2); hand for the
+// rest
 #[test]
 fn what_does_nothing_is_told() {
     for (script, key) in [

@@ -59,6 +59,20 @@ export function scriptOf({ lines, seed, part, seen }: JogState): string {
   return `${[laid, ...piece, ...lines].join("\n")}\n`;
 }
 
+/** The lines with which a session begins anew by the same version of the measuring cycles. */
+function beginning({ seen }: JogState): string[] {
+  const versions = seen?.machine.versions ?? [];
+  const used = versions.find(one => one.used);
+  return used && used !== versions[0] ? [used.line] : [];
+}
+
+/** What opens a mask of a call, by the other version where this one has no such mask. */
+function opening(mask: string, lines: string[], { seen }: JogState): string[] {
+  const masks = seen?.areas.flatMap(area => area.functions.flatMap(one => one.masks)) ?? [];
+  const other = seen?.machine.versions.find(one => !one.used);
+  return masks.some(one => one.name === mask) || !other ? lines : [other.line, ...lines];
+}
+
 export function createPractice(store: Store, core: () => ProgramCore | null): Practice {
   const requestOf = (asked: Asked): PracticeRequest => {
     const { state } = store;
@@ -118,13 +132,14 @@ export function createPractice(store: Store, core: () => ProgramCore | null): Pr
       set({ told: [] });
       const { seen, lines } = store.state.jog;
       const here = !seen?.piece || seen.piece === piece;
-      carryOut(here ? { lines: [...lines, `mask ${name}`] } : { lines: [`mask ${name}`], piece });
+      const first = here ? lines : beginning(store.state.jog);
+      carryOut({ lines: [...first, `mask ${name}`], ...(here ? {} : { piece }) });
     },
     undo: () => carryOut({ lines: store.state.jog.lines.slice(0, -1) }),
-    restart: () => carryOut({ lines: [], seed: store.state.jog.seed }),
+    restart: () => carryOut({ lines: beginning(store.state.jog), seed: store.state.jog.seed }),
     lay(part) {
       const mask = store.state.jog.seen?.mask;
-      const lines = mask ? [`mask ${mask.name}`] : [];
+      const lines = [...beginning(store.state.jog), ...(mask ? [`mask ${mask.name}`] : [])];
       const lies = typeof part === "number" ? { seed: part, part: AS_SET_UP } : { seed: null, part };
       carryOut({ lines, ...lies, revealed: typeof part !== "number" });
     },
@@ -152,8 +167,9 @@ export function createPractice(store: Store, core: () => ProgramCore | null): Pr
     call(asked) {
       const found = core()?.asMask(asked);
       if (!found) return false;
-      const { mask, lines, told } = found;
+      const { mask, told } = found;
       const { seen, lines: before } = store.state.jog;
+      const lines = opening(mask.name, found.lines, store.state.jog);
       const here = !seen?.piece || seen.piece === mask.piece;
       set({ told });
       carryOut(here ? { lines: [...before, ...lines] } : { lines, piece: mask.piece });

@@ -169,7 +169,19 @@ function toDo(mask: PracticeMask, practice: Practice): TemplateResult {
 /** What the next key would do from here. */
 function ahead({ ahead: next, raised: now }: PracticeView): TemplateResult | typeof nothing {
   if (!next || now) return nothing;
-  const { start, point, touches, raised: why, refused, notes, results: shown, changes, activates, hidden } = next;
+  const {
+    start,
+    point,
+    waits,
+    touches,
+    raised: why,
+    refused,
+    notes,
+    results: shown,
+    changes,
+    activates,
+    hidden,
+  } = next;
   const place = (at: readonly number[]): string =>
     `${at.map((value, axis) => `${"XYZ".charAt(axis)} ${fixed(value, 3)}`).join(", ")} ${t("unit-mm")}`;
   const item = (kind: string, text: string): { kind: string; text: string } => ({ kind, text });
@@ -177,7 +189,7 @@ function ahead({ ahead: next, raised: now }: PracticeView): TemplateResult | typ
   const items = [
     ...notes.map(note => item("note", say(note))),
     ...touches.map(at => item("touch", t("jog-ahead-touch", { place: place(at) }))),
-    ...(point ? [item("store", t("jog-ahead-store", { point }))] : []),
+    ...(point ? [item("store", t(waits ? "jog-ahead-hold" : "jog-ahead-store", { point }))] : []),
     ...(why ? [item("wrong", reason(why))] : []),
     ...(refused ? [item("wrong", t("jog-ahead-refuse", { text: say(refused) }))] : []),
     ...shown.map(({ label, value, unit }) =>
@@ -271,7 +283,7 @@ const meaning = ({ stored, waits }: PracticePoint): string =>
   stored ? "practice-point-stored" : waits ? "practice-point-waits" : "practice-point-grey";
 
 /** P1 to P4: black once stored; one that is black is rejected. Beside them the bits of the PLC. */
-function softkeys({ points, plc, machine }: PracticeView, practice: Practice): TemplateResult {
+function softkeys({ points, plc, machine, mask }: PracticeView, practice: Practice): TemplateResult {
   return html`
     <div class="jog-points" role="group" aria-label=${t("practice-points")}>
       ${points.map(
@@ -290,7 +302,7 @@ function softkeys({ points, plc, machine }: PracticeView, practice: Practice): T
         `,
       )}
     </div>
-    <details class="jog-plc">
+    <details class="jog-plc" ?hidden=${!!mask?.stores}>
       <summary>${t("practice-plc")}</summary>
       <div>
         ${points.map(

@@ -53,7 +53,8 @@ pub(super) fn shown(session: &Session, mask: &'static Mask) -> PracticeMask {
     });
     let label = Message::new(key("mask", mask.name));
     let shows = mask.shows.iter().filter_map(|show| line(session, *show)).collect();
-    PracticeMask { name: mask.name, label, fields: fields.collect(), shows, help: told_help(mask) }
+    let (fields, stores) = (fields.collect(), mask.by_hand());
+    PracticeMask { name: mask.name, label, fields, stores, shows, help: told_help(mask) }
 }
 
 fn told_help(mask: &Mask) -> Vec<HelpSection> {
@@ -206,7 +207,7 @@ pub(super) fn machine(session: &Session) -> PracticeMachine {
     });
     let [abscissa, ordinate, _] = plane.axes();
     let older = settings::older(control);
-    let versions = [("SW 6.3 +", false), ("SW 6.2 \u{2212}", true)].map(|(name, is)| PracticeUse {
+    let versions = [("\u{2265} SW 6.3", false), ("\u{2264} SW 6.2", true)].map(|(name, is)| PracticeUse {
         name: name.to_owned(),
         line: format!("set {OLDER_JOG} = {}", u8::from(is)),
         used: older == is,

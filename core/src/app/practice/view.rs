@@ -165,6 +165,8 @@ pub struct PracticeMask {
     pub label: Message,
     /// Fields that are shown, in their order.
     pub fields: Vec<PracticeField>,
+    /// Whether the user stores each point after its touch; then none is rejected, by the PLC neither.
+    pub stores: bool,
     /// Lines of the left part, in their order.
     pub shows: Vec<PracticeShow>,
     /// What to do: sections of its help, in order.

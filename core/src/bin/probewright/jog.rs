@@ -175,7 +175,8 @@ fn told_ahead(ahead: Option<&JogAhead>, words: &Words) -> Vec<String> {
         let place = AXES.iter().zip(at).map(|(axis, value)| format!("{axis} {}", rounded(*value)));
         told.push(Message::new("jog-ahead-touch").text("place", place.collect::<Vec<_>>().join(", ")));
     }
-    told.extend(ahead.point.iter().map(|point| Message::new("jog-ahead-store").text("point", point)));
+    let stores = if ahead.waits { "jog-ahead-hold" } else { "jog-ahead-store" };
+    told.extend(ahead.point.iter().map(|point| Message::new(stores).text("point", point)));
     told.extend(ahead.raised.iter().map(|raised| {
         let key = if raised.code.is_empty() { "jog-ahead-stop" } else { "jog-ahead-raise" };
         Message::new(key).text("alarm", &raised.code).text("text", reason(raised, words))

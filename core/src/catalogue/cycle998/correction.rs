@@ -70,7 +70,8 @@ impl Correction {
         let seen = zero_offset::seen(control, &target, actual);
         let rotation = zero_offset::levelled(control, &target, wanted, seen);
         let writes = zero_offset::turned(control, &target, rotation);
-        added(machine, axes, Rpy(std::array::from_fn(|axis| rotation[axis] - before[axis])));
+        let turn = level::added(machine.control().plane, before, rotation);
+        added(machine, axes, turn);
         correct::frame(machine, &target, &writes);
     }
 

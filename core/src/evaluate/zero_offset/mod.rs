@@ -46,7 +46,7 @@ pub fn system_frame(control: &Control) -> bool {
 }
 
 /// The channel basic frame of the highest bit in `$P_CHBFRMASK`, without a mask the last one; else 61412 (A:15931).
-pub fn last_basic(control: &Control) -> Result<Store, u32> {
+pub(crate) fn last_basic(control: &Control) -> Result<Store, u32> {
     let index = match control.data.get(CHANNEL_MASK) {
         Some(Value::Number(bits)) => (*bits as u32).checked_ilog2().map(|bit| bit as usize),
         _ => control.channel_basic_numbers().last().copied(),

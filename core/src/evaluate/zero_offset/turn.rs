@@ -37,8 +37,11 @@ pub fn levelled(control: &Control, target: &Target, wanted: [f64; 3], seen: [f64
     let [wanted, seen]: [V3; 2] = [wanted, seen].map(|normal| inner * V3::from(normal));
     let (there, tilted) = (before * seen, heading.inverse() * before);
     let reached = heading * rigid::rotation(level::tilt(control.plane, &wanted, &(tilted * seen), &tilted));
-    let rest = rigid::between(&(reached * wanted), &there);
-    changed(&old, &if rest.angle() < level::SAME { reached } else { rest * reached })
+    let got = reached * wanted;
+    if (got.normalize() - there.normalize()).norm() < level::SAME {
+        return changed(&old, &reached);
+    }
+    changed(&old, &(rigid::between(&got, &there) * reached))
 }
 
 /// Angles of a rotation; where one is that of the frame but for rounding, it is.

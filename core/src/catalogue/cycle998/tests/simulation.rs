@@ -223,7 +223,7 @@ proptest! {
     }
 
     /// A settable frame that is turned about all axes keeps its rotation about the applicate, and what is reported is
-    /// what its angles have become more.
+    /// what the other turns have become more.
     #[test]
     fn two_angles_leave_the_rotation_about_the_applicate(
         set in prop::array::uniform2(-15.0..15.0_f64), wrong in prop::array::uniform2(-9.0..9.0_f64),
@@ -238,9 +238,16 @@ proptest! {
             let [before, after] = [&setup.control, &sim.control].map(|control| control.frames[&1].rotation);
             let [first, second] = [before, after].map(|angles| heading(plane, &rotation(angles)).0);
             prop_assert!((first - second).abs() < 1e-9, "{before:?} {after:?}");
+            // the two turns are behind the one about the applicate, and the frame has what is added to them
+            let [.., applicate] = plane.axes();
+            let heading = rotation(Rpy::about(applicate, Degrees(first)));
+            let mut turns = angles(&(heading.inverse() * rotation(before)));
             for (index, axis) in plane.axes().into_iter().enumerate() {
-                close(&sim, &format!("_OVR[{}]", 21 + index), after[axis] - before[axis]);
+                turns[axis] += sim.control.number(&format!("_OVR[{}]", 21 + index));
             }
+            close(&sim, "_OVR[23]", 0.0);
+            let apart = (heading * rotation(turns)).matrix() - rotation(after).matrix();
+            prop_assert!(apart.norm() < 1e-11, "{before:?} {after:?} {turns:?}");
             let frame = sim.control.frames[&1];
             prop_assert_eq!((frame.coarse, frame.fine), ([30.0, -20.0, 11.0], [0.0; 3]));
         }
