@@ -21,7 +21,7 @@ pub use form::form;
 #[cfg(feature = "program")]
 pub use program::{
     Answer, Held, Recogniser, Run, alarms, approach, as_mask, as_program, change, convert, cure, equip, form_seen,
-    help, machine, note, practise, read, scenario, setup, story,
+    help, machine, note, practise, protocol, read, scenario, setup, story,
 };
 #[cfg(feature = "program")]
 pub use scan::Scan;
