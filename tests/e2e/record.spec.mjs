@@ -25,24 +25,25 @@ async function saved(page, button) {
   return { name: download.suggestedFilename(), text: await readFile(await download.path(), "utf8") };
 }
 
+/** The hole of the example, measured on its machine. */
+async function measured(chrome, options = {}) {
+  const started = await open(chrome.browser, options);
+  const { page } = started;
+  await page.locator(".results tbody tr").first().waitFor({ state: "attached" });
+  await page
+    .locator('input[type=file][accept*="json"]')
+    .first()
+    .setInputFiles({ name: "setup.json", mimeType: "application/json", buffer: example });
+  await run(page, scenario.program.name, scenario.program.text);
+  return started;
+}
+
 describe("the record of a run", () => {
   const chrome = shared("neither", { before, after });
 
-  async function measured(options = {}) {
-    const started = await open(chrome.browser, options);
-    const { page } = started;
-    await page.locator(".results tbody tr").first().waitFor({ state: "attached" });
-    await page
-      .locator('input[type=file][accept*="json"]')
-      .first()
-      .setInputFiles({ name: "setup.json", mimeType: "application/json", buffer: example });
-    await run(page, scenario.program.name, scenario.program.text);
-    return started;
-  }
-
   // oracle: peer (the terminal program: core/tests/terminal/files.rs)
   test("is saved as the terminal writes it", async () => {
-    const { context, page, problems } = await measured();
+    const { context, page, problems } = await measured(chrome);
     const [table, document] = [await saved(page, "CSV"), await saved(page, "JSON")];
     assert.deepEqual([table.name, document.name], ["hole.csv", "hole.json"]);
     assert.equal(table.text, await readFile(new URL("hole.record.csv", docs), "utf8"));
@@ -53,7 +54,7 @@ describe("the record of a run", () => {
 
   // oracle: hand: 0.03 mm of the 0.1 mm that are permitted
   test("is printed with title block, limits, numbered features and what it is worth", async () => {
-    const { context, page, problems } = await measured({ colorScheme: "dark" });
+    const { context, page, problems } = await measured(chrome, { colorScheme: "dark" });
     await page.evaluate(() => {
       window.print = () => undefined;
     });
@@ -70,6 +71,37 @@ describe("the record of a run", () => {
     assert.ok((await sheet.locator(".record-picture path").count()) > 10);
     const pdf = await page.pdf({ preferCSSPageSize: true, format: "A4" });
     assert.equal(pdf.toString("latin1").match(/\/Type\s*\/Page\b/g)?.length, 1, "one sheet");
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+});
+
+describe("a protocol of the machine", () => {
+  const chrome = shared("webgl2", { before, after });
+
+  // oracle: hand: a hole of 132 mm that the machine found 0.15 mm too large, of 0.1 mm that are permitted
+  test("takes the place of the simulated values, in the table, on the part and in the record", async () => {
+    const { context, page, problems } = await measured(chrome, { viewport: { width: 1440, height: 900 } });
+    const give = text =>
+      page
+        .locator(".protocol input[type=file]")
+        .setInputFiles({ name: "real.csv", mimeType: "text/csv", buffer: Buffer.from(text) });
+    await give("Nr;Soll;Ist\nBohrung;132;132,15\nPlatz;77;77,2\n");
+    await page.locator('.protocol-top:has-text("1 line of the protocol fits")').waitFor();
+    await page.locator('.whole-row[data-verdict="scrap"]:has-text("132.150")').waitFor();
+    assert.match(await page.locator(".protocol-unfit summary").textContent(), /2/);
+    assert.match(await page.locator(".protocol-unfit").textContent(), /Platz;77;77,2/);
+    await page.waitForFunction(() => document.querySelectorAll(".stage path.arrow").length === 4);
+    const { text } = await saved(page, "CSV");
+    assert.match(text, /,132,-0\.1,0\.1,132\.15,0\.15,1\.5,mm,Scrap,/);
+    await page.locator(".protocol-columns summary").click();
+    await page.locator(".protocol-columns select").nth(4).selectOption("3");
+    await page.locator('.protocol-top:has-text("fit")').waitFor();
+    await page.getByRole("button", { name: "Back to the simulation" }).click();
+    await page.locator('.whole-row:has-text("132.150")').waitFor({ state: "detached" });
+    await page.waitForFunction(() => document.querySelectorAll(".stage path.arrow").length === 0);
+    await give("---\n");
+    await page.locator('.protocol [role="alert"]:has-text("empty")').waitFor();
     assert.deepEqual(problems, []);
     await context.close();
   });

@@ -298,6 +298,15 @@ pub fn note(request: &str) -> Result<String, JsError> {
     Ok(json::answer(request, app::noted)?)
 }
 
+/// `ProtocolRequest` → `ProtocolView`.
+///
+/// # Errors
+/// A request or a setup of the wrong shape, or a protocol with nothing to read: why.
+#[wasm_bindgen]
+pub fn protocol(request: &str) -> Result<String, JsError> {
+    Ok(json::answer(request, app::protocol)?)
+}
+
 /// `PracticeFace` → `PracticeApproach`.
 ///
 /// # Errors

@@ -105,6 +105,16 @@ export type Arrival = {
   line: number,
 };
 
+/** A face that was touched. */
+export type Arrow = {
+  /** Index of the call. */
+  call: number,
+  /** The point that is touched, machine coordinates, mm. */
+  at: Mcs,
+  /** From where the face should be to where it is, machine coordinates, mm. */
+  by: [number, number, number],
+};
+
 /** An assignment that would be another. */
 export type Assignment = {
   /** The number that it would assign, as it is written. */
@@ -1823,6 +1833,52 @@ export type ProgramPlace = {
 /** Text of a program in UTF-8. Who asks several questions about a long one holds it, so that none brings it anew. */
 export type ProgramText = string;
 
+/** Columns of a table, each by its heading or its number from 1. */
+export type ProtocolColumns = {
+  /** Number of the call, from 1. */
+  number?: string,
+  /** Line of the call in the program. */
+  line?: string,
+  /** Name of the result: `_OVR[4]`. */
+  result?: string,
+  /** Setpoint. */
+  nominal?: string,
+  /** Actual value. */
+  actual?: string,
+  /** Actual value minus setpoint. */
+  deviation?: string,
+};
+
+/** A protocol, and the program that it is about. */
+export type ProtocolRequest = {
+  /** The program and the machine. */
+  run: RunRequest,
+  /** The protocol. */
+  protocol: string,
+  /** What stands in which column; absent: the figures of a line tell it. */
+  columns?: ProtocolColumns,
+};
+
+/** A protocol laid onto the calls of a program. */
+export type ProtocolView = {
+  /** What each call came to on the machine. */
+  answers: Array<RunAnswer>,
+  /** Where the values come from. */
+  about: RecordAbout,
+  /** How many lines fit, and how many calls have no value, in words. */
+  ending: Message,
+  /** Lines of the protocol whose values stand in the answers. */
+  fitted: number,
+  /** Calls of which the protocol has no value. */
+  missing: number,
+  /** Lines that fit no call, in their order. */
+  unfit: Array<UnfitLine>,
+  /** How the faces that were touched lie, in their order. */
+  arrows: Array<Arrow>,
+  /** Fields of the first line of the protocol: names of its columns, where it is a table. */
+  heads: Array<string>,
+};
+
 /** Where a cycle belongs. */
 export type Purpose = {
   /** Sort of machine. */
@@ -2720,6 +2776,16 @@ export type TwinView = {
   shared: Array<Shared>,
   /** What is different there. */
   differences: Array<Message>,
+};
+
+/** A line of a protocol that fits no call. */
+export type UnfitLine = {
+  /** Number of the line, from 1. */
+  line: number,
+  /** What stands in it, shortened. */
+  text: string,
+  /** Why it fits none, and what helps. */
+  why: Message,
 };
 
 /** Unit of a parameter and the system it counts in. */

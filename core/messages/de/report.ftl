@@ -142,6 +142,9 @@ terminal-print-text = Datei für den Ausdruck: was die Adressen V und W der NCT-
 terminal-log-text = Ordner für Messprotokolle und für Dateien, die das Programm schreibt; vorhandene Dateien werden nicht überschrieben
 terminal-record-text = Datei für das Protokoll aller Messungen: Tabelle (.csv) oder Dokument (.json, siehe docs/record.schema.json)
 terminal-record-ending = das Protokoll wird als .csv oder .json geschrieben: eine dieser Endungen wählen
+terminal-measured-text = Protokoll einer wirklichen Maschine: Messprotokoll der Steuerung oder Tabelle; die Werte werden den Aufrufen des Programms zugeordnet, und --record schreibt das Protokoll aus ihnen
+terminal-columns-text = Spalten dieser Tabelle, zum Beispiel actual=Istmaß nominal=3; Namen: number, line, result, nominal, actual, deviation
+terminal-column = keine Spalte eines Protokolls: { $text }; zum Beispiel actual=3
 terminal-surface-text = Fläche statt der in der Maschineneinrichtung, in derselben Größe: PNG-Bild (Weiß ist am höchsten), dome, waves, saddle oder step; eine STL-Datei behält ihre Größe
 terminal-scan-nc-text = Datei für die Ausgabe des Digitalisierens: das NC-Programm
 terminal-scan-xyz-text = Datei für die Punkte, als Zeilen X Y Z in mm
@@ -160,6 +163,7 @@ terminal-value-command = BEFEHL
 terminal-value-lang = SPRACHE
 terminal-value-folder = ORDNER
 terminal-value-name = NAME
+terminal-value-columns = SPALTEN
 terminal-value-variant = MESSVARIANTE
 terminal-value-number = NUMMER
 terminal-value-files = DATEIEN

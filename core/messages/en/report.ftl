@@ -146,6 +146,9 @@ terminal-print-text = File for the printout: what addresses V and W of NCT macro
 terminal-log-text = Folder for measurement logs and for files that the program writes; existing files are not overwritten
 terminal-record-text = File for the record of all measurements: a table (.csv) or a document (.json, see docs/record.schema.json)
 terminal-record-ending = the record is written as .csv or .json: choose one of these endings
+terminal-measured-text = Protocol of a real machine: the log of the control or a table; its values are laid onto the calls of the program, and the record is that of these values
+terminal-columns-text = Columns of this table, for example actual=Measured nominal=3; names: number, line, result, nominal, actual, deviation
+terminal-column = not a column of a protocol: { $text }; for example actual=3
 terminal-surface-text = Surface instead of the one in the setup file, of the same size: a PNG picture (white is highest), dome, waves, saddle or step; an STL file keeps its size
 terminal-scan-nc-text = File for the output of digitizing: the NC program
 terminal-scan-xyz-text = File for the points, as lines X Y Z in mm
@@ -164,6 +167,7 @@ terminal-value-command = COMMAND
 terminal-value-lang = LANGUAGE
 terminal-value-folder = FOLDER
 terminal-value-name = NAME
+terminal-value-columns = COLUMNS
 terminal-value-variant = VARIANT
 terminal-value-number = NUMBER
 terminal-value-files = FILES

@@ -142,6 +142,9 @@ terminal-print-text = 打印输出文件：NCT 宏程序的地址 V 和 W 所打
 terminal-log-text = 存放测量记录和程序所写文件的文件夹；不覆盖已有文件
 terminal-record-text = 存放全部测量结果报告的文件：表格（.csv）或文档（.json，见 docs/record.schema.json）
 terminal-record-ending = 测量报告只能写成 .csv 或 .json：请选用其中一种扩展名
+terminal-measured-text = 真实机床的测量记录：控制系统的记录文件或表格；其数值与程序的调用逐一对应，报告由这些数值生成
+terminal-columns-text = 该表格的列，例如 actual=实测 nominal=3；名称：number、line、result、nominal、actual、deviation
+terminal-column = 不是测量记录的列：{ $text }；例如 actual=3
 terminal-surface-text = 代替机床配置中的曲面，大小相同：PNG 图片（白色最高）、dome、waves、saddle 或 step；STL 文件保持自身大小
 terminal-scan-nc-text = 数字化输出文件：数控程序
 terminal-scan-xyz-text = 点文件，每行 X Y Z，单位 mm
@@ -160,6 +163,7 @@ terminal-value-command = 命令
 terminal-value-lang = 语言
 terminal-value-folder = 文件夹
 terminal-value-name = 名称
+terminal-value-columns = 列
 terminal-value-variant = 测量方式
 terminal-value-number = 编号
 terminal-value-files = 文件

@@ -21,6 +21,7 @@ mod practice;
 mod predict;
 mod program;
 mod program_text;
+mod protocol;
 mod record;
 mod run;
 mod scan;
@@ -60,6 +61,7 @@ pub use practice::{
 pub use predict::{ErrorLimit, ErrorSliders, PartSliders, ProbeSliders};
 pub use program::{Arrival, CallView, ProgramParameter, ProgramPlace, ReadRequest, ReadView, calls, read};
 pub use program_text::ProgramText;
+pub use protocol::{Arrow, ProtocolColumns, ProtocolRequest, ProtocolView, UnfitLine, laid, protocol};
 pub use record::{CalibrationState, ProbeOfCall, Record, RecordAbout, RecordFile, csv};
 pub use run::{OfCall, Run, RunAlarm, RunAnswer, RunAssumed, RunDecision, RunRequest, RunResult, RunView};
 pub use scan::{Scan, ScanRequest, ScanView, SurfaceChoice, put_surface};

@@ -215,3 +215,46 @@ fn the_records_in_docs_are_what_a_run_writes() {
         assert_eq!(std::fs::read_to_string(&path).unwrap(), text, "{name}");
     }
 }
+
+/// The hole with a protocol of this text, its record in another file.
+fn measured(name: &str, protocol: &str, more: &[&str]) -> (Output, String) {
+    let protocol = file(&format!("{name}.txt"), protocol.as_bytes());
+    recorded(&format!("{name}.csv"), &[&["--measured", &protocol], more].concat())
+}
+
+// oracle: hand: what the machine measured stands in the record, judged by the limits of the call
+#[test]
+fn a_protocol_of_the_machine_becomes_the_record() {
+    let (output, text) = measured("real", "Date: 28/11/26\nHole, 132, 132.12*, 0.12\n", &[]);
+    assert!(output.status.success(), "{}{}", out(&output), err(&output));
+    let row: Vec<&str> = text.lines().nth(1).unwrap().split(',').collect();
+    assert_eq!(row[5..13], ["132", "-0.1", "0.1", "132.12", "0.12", "1.2", "mm", "Scrap"], "{text}");
+    assert!(text.lines().count() == 2 && row[13].is_empty(), "{text}");
+    assert!(out(&output).contains("real.txt:1: No measured value"), "{}", out(&output));
+    assert!(out(&output).contains("1 line of the protocol fits"), "{}", out(&output));
+    // the record that comes of it is a protocol too
+    let (_, again) = measured("again", &text, &[]);
+    assert_eq!(again, text);
+}
+
+// oracle: hand
+#[test]
+fn columns_of_a_protocol_are_named() {
+    let table = "Merkmal;Ist;Soll\nBohrung;132,02;132\n";
+    let (output, text) = measured("columns", table, &["--columns", "actual=ist", "nominal=3"]);
+    assert!(output.status.success(), "{}{}", out(&output), err(&output));
+    assert!(text.contains(",132.02,0.02,0.2,mm,"), "{text}");
+    for (columns, told) in [
+        (vec!["actual=Istwert"], "Merkmal | Ist | Soll"),
+        (vec!["nominal=Soll"], "actual value"),
+        (vec!["actual"], "actual=3"),
+        (vec!["value=Ist"], "value=Ist"),
+    ] {
+        let arguments = [vec!["--columns"], columns].concat();
+        let (output, text) = measured("refused", table, &arguments);
+        assert_eq!((output.status.code(), text.as_str()), (Some(2), "before"), "{}", out(&output));
+        assert!(err(&output).contains(told), "{}", err(&output));
+    }
+    let (output, _) = measured("nothing", "no numbers at all\n", &[]);
+    assert_eq!(output.status.code(), Some(1), "nothing of it fits");
+}

@@ -657,6 +657,7 @@ notice-assigned = Variable geändert.
 notice-revised = Der Aufruf hat jetzt eine andere Messvariante.
 of-call = { $cycle }, Zeile { $line }
 of-program = Vom Programm gesetzt
+outcome-more = Nicht gezeigt: { $count }. Das Protokoll hat jede Messung mit ihrer Bewertung.
 results-more = { $count ->
     [one] Ein weiteres Ergebnis ist nicht aufgeführt.
    *[other] { $count } weitere Ergebnisse sind nicht aufgeführt.

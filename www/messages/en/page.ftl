@@ -648,6 +648,7 @@ notice-assigned = Variable changed.
 notice-revised = The call now has another measuring variant.
 of-call = { $cycle }, line { $line }
 of-program = Set by the program
+outcome-more = Not shown: { $count }. The record has every measurement with its verdict.
 results-more = More results, not listed: { $count }.
 # The line that says what a call came to.
 bar-title = Result of the measurement

@@ -635,6 +635,7 @@ notice-assigned = 变量已更改。
 notice-revised = 此调用现在是另一种测量方式。
 of-call = { $cycle }，第 { $line } 行
 of-program = 由程序设置
+outcome-more = 未显示：{ $count } 条。测量报告含有每次测量及其判定。
 results-more = 还有 { $count } 个结果未在此列出。
 # The line that says what a call came to.
 bar-title = 测量结果

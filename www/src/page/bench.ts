@@ -167,7 +167,14 @@ export function createBench(parts: Parts): Bench {
           program.goTo,
           program.goToLine,
           { pickFiles: program.pickFiles, machineValues: () => machineData.open("", true) },
-          which => void paper(which),
+          {
+            paper: (which, made) => void paper(which, made),
+            core,
+            arrows(all) {
+              stage.arrows = all;
+              store.update({});
+            },
+          },
         ),
         drawChain: pieces.createChain(chain, store, actions),
         drawDifference: difference.draw,

@@ -263,12 +263,8 @@ function wholes(): States {
     { ...measured("bad", "alarm", 0, 9), figures: [] },
   ];
   return [rows.slice(0, 1), rows].map(answers => {
-    const whole = createWhole(
-      store,
-      actions,
-      () => undefined,
-      () => undefined,
-    );
+    const none = (): undefined => undefined;
+    const whole = createWhole(store, actions, none, { paper: none, core: () => null, arrows: none });
     const run = { answers, finished: true } as unknown as RunView;
     const derived = { run, read: { calls: [] }, step: 3 } as unknown as Derived;
     whole.draw(patched(store.state, { view: { source: "program" } }), derived);

@@ -2,6 +2,7 @@
 
 import { svg } from "../dom";
 import { type Drawn, drawInto } from "../draw";
+import { type Arrow, arrowsIn } from "./arrows";
 import type { Frame } from "./backend";
 import { projector } from "./camera";
 import { arranged, type Measure, ringRadius } from "./lettering";
@@ -23,12 +24,19 @@ export function overlay(host: HTMLElement): SVGSVGElement {
   return element;
 }
 
-/** `taken`: what covers the view, where no words should stand. */
-export function drawOverlay(element: SVGSVGElement, scene: Scene, frame: Frame, taken: readonly Rect[] = []): void {
+/** `taken`: what covers the view, where no words should stand; `arrows`: the longest first. */
+export function drawOverlay(
+  element: SVGSVGElement,
+  scene: Scene,
+  frame: Frame,
+  taken: readonly Rect[] = [],
+  arrows: readonly Arrow[] = [],
+): void {
   const all = arranged(scene, frame, taken, measureIn(element));
   drawInto(element, [
     ...swept(scene, frame),
     ...ring(scene, frame),
+    ...arrowsIn(arrows, scene, frame),
     ...all.flatMap(({ written, spot }) => written.line?.(spot) ?? []),
     ...all.flatMap(({ written, spot }) => written.draw(spot)),
   ]);

@@ -1,6 +1,7 @@
 // What is shown, from where, by which way of drawing and when: the four of them together.
 
 import { firstFrom, vec } from "../core/scene";
+import { type Arrow, longest } from "./arrows";
 import type { BackendName, Cloud, Frame } from "./backend";
 import { type Camera, projector } from "./camera";
 import { type Colours, LIGHT } from "./colours";
@@ -31,6 +32,7 @@ export interface Show {
   /** Shows this part of it otherwise, with a new scene unless the old one still shows it. */
   change(part: Partial<Content>, same?: boolean): void;
   setCloud(cloud: Cloud | null): void;
+  setArrows(arrows: readonly Arrow[] | null): void;
   onDraw(callback: (camera: Camera) => void): void;
   /** What covers the view, where no words should stand. */
   setTaken(taken: readonly Rect[]): void;
@@ -39,12 +41,14 @@ export interface Show {
 export async function createShow(stage: HTMLElement, options: ShowOptions): Promise<Show> {
   const letters = overlay(stage);
   let taken: readonly Rect[] = [];
+  let given: readonly Arrow[] | null = null;
+  let arrows: readonly Arrow[] = [];
   let drawn: (camera: Camera) => void = () => undefined;
   let missed = false; // what was to be drawn while a picture was under way
   const painter = createPainter(() => {
     missed = ways.backend.busy;
     if (missed) return;
-    draw(show, letters, taken);
+    draw(show, letters, taken, arrows);
     drawn(show.sight.camera);
   });
   const ways = await openWays(stage, {
@@ -114,6 +118,12 @@ export async function createShow(stage: HTMLElement, options: ShowOptions): Prom
       ways.backend.setCloud(cloud);
       painter.now();
     },
+    setArrows(next) {
+      if (next === given) return;
+      given = next;
+      arrows = longest(next ?? []);
+      painter.now();
+    },
     setTaken(next) {
       taken = next;
       painter.soon();
@@ -146,13 +156,14 @@ function draw(
   { content, scene, ways, sight: { camera, view } }: Show,
   letters: SVGSVGElement,
   taken: readonly Rect[],
+  arrows: readonly Arrow[],
 ): void {
   const { index, fraction } = content.step;
   const probe = probeAt(content.data, index, fraction);
   const frame: Frame = { camera, view, ratio: devicePixelRatio, time: index + fraction, probe };
   try {
     ways.backend.draw(frame);
-    drawOverlay(letters, scene, frame, taken);
+    drawOverlay(letters, scene, frame, taken, arrows);
   } catch (reason) {
     void ways.replace(reason);
   }

@@ -1,5 +1,6 @@
 // The 3D view of a trace. Draws when something changed and never otherwise.
 import type { SceneData } from "../core/scene";
+import type { Arrow } from "./arrows";
 import type { BackendName, Cloud } from "./backend";
 import { type Basis, basis, type Camera, turn, type ViewName } from "./camera";
 import type { Colours } from "./colours";
@@ -33,6 +34,8 @@ export interface Preview {
   setStep(index: number, fraction: number): void;
   /** Scanned points, over whatever else is shown. */
   setCloud(cloud: Cloud | null): void;
+  /** How the faces of a real part lie; null: nothing is known. */
+  setArrows(arrows: readonly Arrow[] | null): void;
   setView(name: ViewName): void;
   /** As if it was dragged by so many CSS pixels. */
   turn(dx: number, dy: number): void;
@@ -166,7 +169,10 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
 /** What may be shown otherwise, and what follows for the sight. */
 function changes(
   show: Show,
-): Pick<Preview, "setScene" | "setStep" | "setCloud" | "setColours" | "setDrawing" | "setSection" | "setFocus"> {
+): Pick<
+  Preview,
+  "setScene" | "setStep" | "setCloud" | "setArrows" | "setColours" | "setDrawing" | "setSection" | "setFocus"
+> {
   return {
     setScene(data, focus = show.content.focus) {
       const first = show.content.data === EMPTY;
@@ -178,6 +184,7 @@ function changes(
       show.change({ step }, sameScene(show.content.data, show.content.step, step));
     },
     setCloud: show.setCloud,
+    setArrows: show.setArrows,
     setColours: colours => show.change({ colours }),
     setDrawing(drawing) {
       if (drawing === show.content.drawing) return;

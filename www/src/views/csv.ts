@@ -1,8 +1,9 @@
-// The record of a run as a file for spreadsheets: UTF-8 with a mark, so that they see it is; in languages with a decimal
-// comma it stands there and fields are parted by semicolons. The core writes the same for the terminal
+// The record of a run as a file for spreadsheets: UTF-8 with a mark, so that they see it is; in languages with a
+// decimal comma it stands there and fields are parted by semicolons. The core writes the same for the terminal
 // (app/record/table.rs); docs/hole.record.csv holds the two together.
 
 import { shortLine } from "../desk/beside";
+import { sliced } from "../pace";
 import { say, t } from "../texts";
 import type { Correction, Figure, RunRecord } from "../wire";
 
@@ -54,12 +55,16 @@ function linesOf(call: Call, index: number, comma: boolean, files: RunRecord["fi
   return call.figures.length ? call.figures.map(row) : [row(undefined)];
 }
 
-export function csv({ calls, files }: Pick<RunRecord, "calls" | "files">): string {
+/** The file in pieces; between them the page has its turn. */
+export async function csv({ calls, files }: Pick<RunRecord, "calls" | "files">): Promise<string[]> {
   const comma = t("record-decimal-sign") === ",";
   const parted = comma ? ";" : ",";
-  const all = [
-    COLUMNS.map(one => t(`record-column-${one}`)),
-    ...calls.flatMap((call, index) => linesOf(call, index, comma, files)),
-  ];
-  return `${MARK}${all.map(line => line.map(text => field(text, parted)).join(parted)).join("\r\n")}\r\n`;
+  const line = (fields: string[]): string => `${fields.map(text => field(text, parted)).join(parted)}\r\n`;
+  const pieces = [MARK, line(COLUMNS.map(one => t(`record-column-${one}`)))];
+  const pace = sliced();
+  for (const [index, call] of calls.entries()) {
+    await pace.turn(0);
+    pieces.push(linesOf(call, index, comma, files).map(line).join(""));
+  }
+  return pieces;
 }

@@ -14,7 +14,7 @@ import type { FileStart, OfCall, Outcome, WrittenFile } from "../wire";
 import { createGiven, type Lacks } from "./given";
 import { missing } from "./missing";
 import { offersOf, problem } from "./problem";
-import { createWhole } from "./whole";
+import { createWhole, type WholeWays } from "./whole";
 
 // earlier: not written by this call
 /** A call, and the file beside the program in which it stands. */
@@ -29,7 +29,7 @@ export interface Shown {
   written?: WrittenFile[];
 }
 
-const ROWS = 1000; // of results; a program may have a thousand calls
+const ROWS = 1000; // of results, decisions and alarms; a program may have thousands of calls
 
 function unitText(unit: string): string {
   return unit ? t(`unit-${unit.replace("/", "-per-")}`) : "";
@@ -149,7 +149,7 @@ function body({ alarms, changes, decisions, results }: Shown, give: Actions["giv
   const unseen = rows.slice(ROWS).filter(one => typeof one !== "string").length;
   const last = decisions.length - 1;
   return html`<ul class="alarms" aria-label=${t("outcome-alarms")} ?hidden=${alarms.length === 0}>
-      ${alarms.map(one =>
+      ${alarms.slice(0, ROWS).map(one =>
         problem(
           { ...one, severity: one.stops ? "error" : "note" },
           html`<span class="of-call">${callText(one)}</span
@@ -157,6 +157,7 @@ function body({ alarms, changes, decisions, results }: Shown, give: Actions["giv
         ),
       )}
     </ul>
+    <p class="empty" ?hidden=${alarms.length <= ROWS}>${t("outcome-more", { count: alarms.length - ROWS })}</p>
     <div class="outcome">
       ${table(
         "changes",
@@ -168,8 +169,13 @@ function body({ alarms, changes, decisions, results }: Shown, give: Actions["giv
       <section class="decision-box" ?hidden=${decisions.length === 0}>
         <h3>${t("outcome-decisions")}</h3>
         <ol class="decisions">
-          ${decisions.map((one, index) => html`<li class=${index === last ? "taken" : ""}>${decided(one)}</li>`)}
+          ${decisions
+            .slice(0, ROWS)
+            .map((one, index) => html`<li class=${index === last ? "taken" : ""}>${decided(one)}</li>`)}
         </ol>
+        <p class="empty" ?hidden=${decisions.length <= ROWS}
+          >${t("outcome-more", { count: decisions.length - ROWS })}</p
+        >
       </section>
       ${table(
         "results",
@@ -187,9 +193,9 @@ export function createOutcome(
   actions: Actions,
   goToLine: (line: number) => void,
   lacks: Lacks,
-  paper: (which: "record") => void,
+  ways: WholeWays,
 ): (state: State, derived: Derived) => void {
-  const whole = createWhole(store, actions, goToLine, paper);
+  const whole = createWhole(store, actions, goToLine, ways);
   const root = el("div");
   const [before, behind] = [el("div"), el("div", { class: "lacks" })];
   page.append(before, whole.root, root, behind);

@@ -13,6 +13,7 @@ import type { Answer, CallView, CycleInfo, Field, FormView } from "../wire";
 import { correctedText, figureText, mainFigures } from "./amounts";
 import { inOneLine, piecesOf } from "./code";
 import { createPicture } from "./picture";
+import type { RecordShown } from "./record";
 import { recordSheet } from "./record-sheet";
 import { heading } from "./sheet";
 import type { Stage } from "./stage";
@@ -179,31 +180,32 @@ function inForm({ cycle, view, opened }: Derived): Printed {
 }
 
 /**
- * Prints a sheet of the call in the form, the record of a run, or the report of the program: without a graphics card the stage would draw
- * hundreds of pictures for minutes, so those are simple ones.
+ * Prints a sheet of the call in the form, the record of a run, or the report of the program: without a graphics card
+ * the stage would draw hundreds of pictures for minutes, so those are simple ones.
  */
 export function createPaper(
   core: () => ProgramCore | null,
   shown: () => { state: State; derived: Derived } | null,
   stage: Stage,
   end: AbortSignal,
-): (paper: Paper) => Promise<void> {
+): (paper: Paper, shown?: RecordShown) => Promise<void> {
   const root = document.documentElement;
   const clear = (): void => {
     for (const one of document.querySelectorAll(".paper")) one.remove();
     delete root.dataset.paper;
   };
   addEventListener("afterprint", clear, { signal: end });
-  return async paper => {
+  return async (paper, record) => {
     const draw = await import("../preview/still");
     const here = shown();
     const all = core();
     if (!here || !all) return;
     const { state, derived } = here;
     if (paper === "record") {
-      if (!derived.run) return;
+      const measured = record ?? derived.run;
+      if (!measured) return;
       clear();
-      document.body.append(el("div", { class: "paper" }, recordSheet(state, derived, derived.run, draw)));
+      document.body.append(el("div", { class: "paper" }, recordSheet(state, derived, measured, draw)));
       root.dataset.paper = paper;
       return print();
     }

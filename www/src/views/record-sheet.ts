@@ -11,6 +11,7 @@ import type { State } from "../state/state";
 import { say, t } from "../texts";
 import type { Figure, RunView } from "../wire";
 import { amount, correctedText, unitBehind } from "./amounts";
+import type { RecordShown } from "./record";
 import { now } from "./sheet";
 
 type Call = RunView["answers"][number];
@@ -23,7 +24,7 @@ const WIDE = 60; // of a bar, its units
 const word = (key: string): string => t(`record-sheet-${key}`);
 
 /** Name and value; without a value there is room to write. */
-function titles(state: State, { about }: RunView): HTMLElement {
+function titles(state: State, { about }: RecordShown): HTMLElement {
   const all: [string, string][] = [
     ["part", ""],
     ["program", fileOf(state).name],
@@ -97,7 +98,7 @@ function rowsOf(call: Call, index: number, files: RunView["files"]): HTMLElement
   });
 }
 
-function table({ answers, files }: RunView): HTMLElement {
+function table({ answers, files }: RecordShown): HTMLElement {
   const heads = [
     ...["number", "feature", "line", "quantity", "nominal"].map(one => t(`record-column-${one}`)),
     word("tolerance"),
@@ -116,9 +117,14 @@ function table({ answers, files }: RunView): HTMLElement {
 }
 
 /** The part with the number of each call at what it touched. */
-function picture(state: State, { trace, scene, step, run }: Derived, { drawStill }: Draw): HTMLElement | null {
-  if (!run || !trace || !scene || state.view.source !== "program") return null;
-  const marks = run.answers.slice(0, MOST_NUMBERS).flatMap(({ place }, index) => {
+function picture(
+  state: State,
+  { trace, scene, step }: Derived,
+  { answers }: RecordShown,
+  { drawStill }: Draw,
+): HTMLElement | null {
+  if (!trace || !scene || state.view.source !== "program") return null;
+  const marks = answers.slice(0, MOST_NUMBERS).flatMap(({ place }, index) => {
     return place ? [{ at: place, text: String(index + 1) }] : [];
   });
   const still: Still = { data: scene(1), step, cloud: null, drawing: false, camera: null, say, marks };
@@ -127,17 +133,17 @@ function picture(state: State, { trace, scene, step, run }: Derived, { drawStill
   return el("section", {}, el("h3", {}, word("picture")), box);
 }
 
-export function recordSheet(state: State, derived: Derived, run: RunView, draw: Draw): HTMLElement {
+export function recordSheet(state: State, derived: Derived, shown: RecordShown, draw: Draw): HTMLElement {
   const sign = ["inspector", "signature"].map(one => el("div", {}, el("dt", {}, word(one)), el("dd", {})));
   return el(
     "section",
     { class: "record-sheet" },
     el("h2", {}, word("title")),
-    titles(state, run),
-    table(run),
-    el("p", {}, say(run.ending)),
-    picture(state, derived, draw),
-    ...run.about.worth.map(one => el("p", { class: "record-worth" }, say(one))),
+    titles(state, shown),
+    table(shown),
+    el("p", {}, say(shown.ending)),
+    picture(state, derived, shown, draw),
+    ...shown.about.worth.map(one => el("p", { class: "record-worth" }, say(one))),
     el("dl", { class: "record-titles" }, ...sign),
   );
 }

@@ -17,6 +17,7 @@ import { type Lacks, parameterId } from "./given";
 import { createMotions } from "./motions";
 import { createOutcome, shownOutcome } from "./outcome";
 import { createScan } from "./scan";
+import type { WholeWays } from "./whole";
 
 const TABS: ResultTab[] = ["outcome", "problems", "motions", "log", "scan"];
 type Draw = (state: State, derived: Derived) => void;
@@ -66,7 +67,7 @@ export function createResults(
   goTo: (offset: number) => void,
   goToLine: (line: number) => void,
   given: Pick<Lacks, "pickFiles" | "machineValues">,
-  paper: (which: "record") => void,
+  ways: WholeWays,
 ): Draw {
   const bar = el("div", { role: "tablist", class: "tabs", "aria-label": t("panel-results") });
   const answer = createAnswer();
@@ -106,7 +107,7 @@ export function createResults(
     },
   };
   const draws: Draw[] = [
-    createOutcome(page("outcome"), store, actions, goToLine, lacks, paper),
+    createOutcome(page("outcome"), store, actions, goToLine, lacks, ways),
     createFindings(page("problems"), actions, goTo, lacks),
     createMotions(page("motions"), store),
     createLog(page("log")),

@@ -154,6 +154,7 @@ export function createScene(
       move(preview, step, runs ? paceAt(data.begins, step, state.view.speed) : 0);
     }
     preview.setCloud(points);
+    preview.setArrows(source === "program" ? stage.arrows : null);
     preview.setDrawing(state.view.diameters);
     preview.setSection(state.view.section);
     preview.setCentral(state.view.central);

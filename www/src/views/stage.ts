@@ -16,6 +16,8 @@ export interface Stage {
   readonly failed: string;
   /** So many points of the shown cloud are drawn. */
   readonly drawn: number;
+  /** How the faces of the real part lie, where a protocol tells it. */
+  arrows: Parameters<Preview["setArrows"]>[0];
   /** Fetches the drawing unless it is there or on its way. */
   fetch(): void;
   /** From the tokens of that theme, which the page has now. */
@@ -62,6 +64,7 @@ export function createStage(store: Store, pointing: Pointing, calm: Promise<void
   watchTheme(() => store.update({}));
   return {
     box,
+    arrows: null,
     get preview() {
       return preview;
     },

@@ -2,7 +2,6 @@
 // and its step in the 3D view are one selection. Only the rows in sight exist.
 
 import { html, nothing, render, svg, type TemplateResult } from "lit-html";
-import { repeat } from "lit-html/directives/repeat.js";
 import type { Actions } from "../desk/actions";
 import { lineIn, shortLine } from "../desk/beside";
 import type { Derived } from "../desk/derive";
@@ -13,11 +12,12 @@ import { fileOf, saveFile } from "../state/files";
 import type { State } from "../state/state";
 import type { Store } from "../state/store";
 import { language, listed, say, t } from "../texts";
-import type { FileStart, RunRecord, RunView } from "../wire";
+import type { RunRecord, RunView } from "../wire";
 import { amount, correctedText, mainFigures } from "./amounts";
 import { VERDICT_ICONS } from "./answer";
 import { csv } from "./csv";
-import { recordOf, recordText } from "./record";
+import { createProtocol, type ProtocolWays } from "./protocol";
+import { type RecordShown, recordOf, recordText } from "./record";
 
 type Row = RunView["answers"][number];
 const BEYOND = 6; // rows drawn above and below what is in sight
@@ -120,7 +120,8 @@ const CALIBRATED: Record<Row["probe"]["state"], IconName> = {
 
 const lines = (texts: string[]): TemplateResult[] => texts.map(text => html`<span>${text}</span>`);
 
-function cells(row: Row, index: number, files: readonly FileStart[] | undefined): Record<Column, unknown> {
+/** `simulated`: whether it is known what was corrected. */
+function cells(row: Row, index: number, files: RunView["files"], simulated: boolean): Record<Column, unknown> {
   const main = mainFigures(row);
   const off = main.map(one => (one.deviation === undefined ? "–" : amount(one.deviation, one.unit, true)));
   const size = (value: number | undefined, unit: string): string =>
@@ -136,7 +137,7 @@ function cells(row: Row, index: number, files: readonly FileStart[] | undefined)
     verdict: html`<span class="verdict" data-verdict=${row.verdict} title=${say(row.why)}
       >${iconPart(VERDICT_ICONS[row.verdict])}${say(row.verdict_words)}</span
     >`,
-    corrects: correctedText(row) || t("bar-nothing"),
+    corrects: simulated ? correctedText(row) || t("bar-nothing") : "–",
     probe: html`<span class="probe" data-state=${row.probe.state} title=${say(row.probe.name)}
       >${row.probe.number}${iconPart(CALIBRATED[row.probe.state])}<span class="visually-hidden"
         >${say(row.probe.calibration)}</span
@@ -149,11 +150,16 @@ function indexAt(rows: Row[], step: number): number {
   return rows.findLastIndex(one => one.from <= step);
 }
 
+/** What the table needs of the page. */
+export interface WholeWays extends ProtocolWays {
+  paper(which: "record", shown: RecordShown): void;
+}
+
 export function createWhole(
   store: Store,
   actions: Pick<Actions, "cursor">,
   goToLine: (line: number) => void,
-  paper: (which: "record") => void,
+  ways: WholeWays,
 ): { root: HTMLElement; draw(state: State, derived: Derived): void } {
   const counts = el("p", { class: "whole-counts" });
   const worst = el("button", { type: "button" }, t("whole-worst"));
@@ -170,9 +176,10 @@ export function createWhole(
     space,
   );
   const error = el("p", { class: "whole-error", role: "note" });
-  const ways = [worst, asTable, asDocument, onPaper];
-  const top = el("div", { class: "whole-top" }, el("h3", {}, t("whole-title")), counts, ...ways);
-  const root = el("section", { class: "whole" }, top, error, table);
+  const real = el("button", { type: "button", title: t("protocol-open-hint") }, icon("open"), t("protocol-open"));
+  const buttons = [worst, asTable, asDocument, onPaper, real];
+  const top = el("div", { class: "whole-top" }, el("h3", {}, t("whole-title")), counts, ...buttons);
+  const root = el("section", { class: "whole" }, top);
 
   let run: RunView | null = null;
   let calls: Derived["read"]["calls"] = [];
@@ -186,7 +193,14 @@ export function createWhole(
   let file = "";
   const name = (): string => (file || "program").replace(/\.[^.]*$/, "");
 
-  const rows = (): Row[] => run?.answers ?? [];
+  const protocol = createProtocol(ways, () => {
+    arrange();
+    store.update({});
+  });
+  root.append(protocol.root, error, table);
+  /** What was measured on the real machine, else what was simulated. */
+  const shown = (): RecordShown | null => run && (protocol.view ? { ...protocol.view, files: run.files } : run);
+  const rows = (): Row[] => shown()?.answers ?? [];
   const height = (): number => parseFloat(getComputedStyle(table).getPropertyValue("--row")) || 36;
   const above = (): number => head.offsetHeight;
   const chosen = (): number => indexAt(rows(), step);
@@ -214,25 +228,21 @@ export function createWhole(
     setAttribute(table, "aria-rowcount", all.length + 1);
     const shown = order.slice(first, last).map((index, offset) => ({ index, place: first + offset }));
     render(
-      repeat(
-        shown,
-        one => one.index,
-        ({ index, place }) => {
-          const row = all[index];
-          if (!row) return "";
-          const of = cells(row, index, run?.files);
-          return html`<div role="row" class=${place === current ? "whole-row current" : "whole-row"}
-            id=${`whole-${index}`} data-place=${place} data-verdict=${row.verdict}
-            aria-rowindex=${place + 2} aria-selected=${String(index === selected)}
-            .style=${`top: ${place * tall}px`}
-            >${COLUMNS.map(
-              one =>
-                html`<span role="gridcell" class=${`cell cell-${one}`} title=${one === "line" ? of[one] : nothing}
-                  >${of[one]}</span
-                >`,
-            )}</div>`;
-        },
-      ),
+      shown.map(({ index, place }) => {
+        const row = all[index];
+        if (!row) return "";
+        const of = cells(row, index, run?.files, !protocol.view);
+        return html`<div role="row" class=${place === current ? "whole-row current" : "whole-row"}
+          id=${`whole-${index}`} data-place=${place} data-verdict=${row.verdict}
+          aria-rowindex=${place + 2} aria-selected=${String(index === selected)}
+          .style=${`top: ${place * tall}px`}
+          >${COLUMNS.map(
+            one =>
+              html`<span role="gridcell" class=${`cell cell-${one}`} title=${one === "line" ? of[one] : nothing}
+                >${of[one]}</span
+              >`,
+          )}</div>`;
+      }),
       space,
     );
     const there = order[current];
@@ -273,16 +283,21 @@ export function createWhole(
   };
 
   on(worst, "click", () => sortBy("verdict", false));
-  const record = (): RunRecord | null => run && recordOf(run, file);
-  on(asTable, "click", () => {
+  const record = (): RunRecord | null => {
+    const made = shown();
+    return made && recordOf(made, file);
+  };
+  const saves = (pieces: (made: RunRecord) => Promise<string[]>, ending: string, type: string) => (): void => {
     const made = record();
-    if (made) saveFile(csv(made), `${name()}.csv`, "text/csv;charset=utf-8");
+    if (made) void pieces(made).then(all => saveFile(new Blob(all), `${name()}.${ending}`, type));
+  };
+  on(asTable, "click", saves(csv, "csv", "text/csv;charset=utf-8"));
+  on(asDocument, "click", saves(recordText, "json", "application/json"));
+  on(onPaper, "click", () => {
+    const made = shown();
+    if (made) ways.paper("record", made);
   });
-  on(asDocument, "click", () => {
-    const made = record();
-    if (made) saveFile(recordText(made), `${name()}.json`, "application/json");
-  });
-  on(onPaper, "click", () => paper("record"));
+  on(real, "click", protocol.pick);
   on(head, "click", event => {
     const next = (event.target as Element).closest<HTMLElement>("[data-column]")?.dataset.column as Column | undefined;
     if (next) sortBy(next, next === column && !down);
@@ -329,6 +344,18 @@ export function createWhole(
     return file === undefined ? t("whole-error", told) : t("whole-error-in-file", { ...told, file });
   };
 
+  /** Other rows are shown. */
+  function arrange(): void {
+    order = sorted(rows(), column, down);
+    current = Math.max(0, order.indexOf(chosen()));
+    setText(counts, count());
+    setText(error, stopped());
+    show(error, stopped() !== "");
+    drawHead();
+    bring(current);
+    drawRows();
+  }
+
   /** The selection follows the step; the step follows the cursor where that comes to a call. */
   const follow = (state: State, derived: Derived): void => {
     if (state.program.line !== line) {
@@ -356,19 +383,13 @@ export function createWhole(
       calls = derived.read.calls;
       file = fileOf(state).name;
       const shownIn = language();
+      protocol.draw(state, derived);
       if (run !== derived.run || spoken !== shownIn) {
         run = derived.run;
         spoken = shownIn;
         step = derived.step;
         line = state.program.line;
-        order = sorted(rows(), column, down);
-        current = Math.max(0, order.indexOf(chosen()));
-        setText(counts, count());
-        setText(error, stopped());
-        show(error, stopped() !== "");
-        drawHead();
-        bring(current);
-        drawRows();
+        arrange();
       }
       follow(state, derived);
     },

@@ -192,11 +192,6 @@ const ROWS: &[Row] = &[
     Row("result-p9969-highest", "", "", Sort::Other),
 ];
 
-/// The quantities that a call wrote.
-pub(super) fn figures(called: &Called, entries: &[Entry]) -> Vec<Figure> {
-    found(called, entries).into_iter().map(|(_, figure)| figure).collect()
-}
-
 /// The quantities that a call wrote, with their sorts.
 pub(super) fn found(called: &Called, entries: &[Entry]) -> Vec<(Sort, Figure)> {
     let inputs = &called.inputs;

@@ -1,6 +1,6 @@
 //! Where deviations lie in their limits, as figures of a scale.
 
-use super::figures::{Figure, Sort, found, measured, written};
+use super::figures::{Figure, Sort, measured, written};
 use super::shown;
 use crate::control::Control;
 use crate::entry::{Inputs, ProbeUse, address, names};
@@ -132,27 +132,29 @@ struct Limits {
     reached: bool,
 }
 
-/// The gauge of a call; none where nothing limits it, or nothing was measured. The figures that it watches are told
-/// their limits.
-pub(super) fn gauge(called: &Called, entries: &[Entry], control: &Control, figures: &mut [Figure]) -> Option<Gauge> {
+/// The gauge of a call; none where nothing limits it, or nothing was measured. `sorts`: its quantities; those that it
+/// watches are told their limits.
+pub(super) fn gauge(
+    called: &Called,
+    entries: &[Entry],
+    control: &Control,
+    sorts: &mut [(Sort, Figure)],
+) -> Option<Gauge> {
     let inputs = &called.inputs;
     let limits = limits(inputs)?;
-    let sorts = found(called, entries);
     let chain = inputs.any(names::TUL).is_some();
     let offset = empirical(called, entries, control);
     let unit = if inputs.is_angle(names::TSA) { "deg" } else { called.units.name() };
     let factor = called.units.factor();
     let per = |value: f64| shown(value, unit, factor);
-    let watched = sorts.iter().filter(|(sort, figure)| watches(*sort, inputs, chain) && figure.deviation.is_some());
+    let watched = sorts.iter_mut().filter(|(sort, figure)| watches(*sort, inputs, chain) && figure.deviation.is_some());
     let [(_, low), (_, high)] = limits.outer.map(|(name, value)| (name, per(value)));
     let mean = limits.mean.map(|(name, value)| (name, per(value)));
     let kind = |value: f64| kind(value, low, high, mean.map(|(_, value)| value), limits.reached);
     let needles: Vec<Needle> = watched
         .map(|(sort, figure)| {
             let value = figure.deviation.unwrap_or(0.0) - offset;
-            if let Some(told) = figures.iter_mut().find(|one| one.name == figure.name) {
-                told.limits = Some(Limited::new(low, high, value));
-            }
+            figure.limits = Some(Limited::new(low, high, value));
             Needle { label: label(*sort, &figure.symbol), value, kind: kind(value) }
         })
         .collect();

@@ -3,12 +3,14 @@
 mod corrected;
 mod figures;
 mod gauge;
+mod measured;
 #[cfg(test)]
 mod tests;
 
 pub use corrected::{Correction, Part};
 pub use figures::Figure;
 pub use gauge::{Band, BandKind, Gauge, Limited, Mark, Needle};
+pub(super) use measured::{Deviates, Value, Values, deviates, measured};
 
 use super::outcome::Raised;
 use crate::catalogue::alarms;
@@ -95,8 +97,8 @@ pub(super) fn answer(called: &Called, outcome: &run::Outcome) -> Answer {
     let entries = &entries[..];
     let stop = outcome.stop.as_ref().filter(|_| !ended);
     let inputs = &called.inputs;
-    let mut figures = figures::figures(called, entries);
-    let gauge = gauge::gauge(called, entries, &outcome.control, &mut figures);
+    let mut sorts = figures::found(called, entries);
+    let gauge = gauge::gauge(called, entries, &outcome.control, &mut sorts);
     let raised = raised(entries);
     let over = gauge.as_ref().and_then(Gauge::worst).map(|worst| worst > 0.0);
     let (verdict, alarm) = verdict(inputs, stop, raised, over, gauge.is_some());
@@ -107,7 +109,7 @@ pub(super) fn answer(called: &Called, outcome: &run::Outcome) -> Answer {
         verdict_words: words(verdict, alarm),
         alarm: alarm.map(|code| code.to_string()),
         why: why(stop, entries, alarm, gauge.as_ref()),
-        figures,
+        figures: sorts.into_iter().map(|(_, figure)| figure).collect(),
         gauge,
     }
 }
@@ -168,13 +170,18 @@ fn verdict(
         (None, None) => (Verdict::Measured, None),
         (None, Some(code)) => {
             let tolerance = matches!(code, Code::Alarm(62304 | 62305)) || code == OUT_OF_TOLERANCE;
-            let verdict = match (inside(inputs).filter(|_| tolerance), over) {
-                (Some(inside), Some(over)) if inside == over => Verdict::Scrap,
-                (Some(_), Some(_)) => Verdict::Rework,
-                _ => Verdict::Beyond,
-            };
-            (verdict, Some(code))
+            (beyond(inputs, tolerance, over), Some(code))
         }
+    }
+}
+
+/// What follows beyond a limit. `tolerance`: whether that is the tolerance of the part; `over`: whether the part is
+/// too large.
+fn beyond(inputs: &Inputs, tolerance: bool, over: Option<bool>) -> Verdict {
+    match (inside(inputs).filter(|_| tolerance), over) {
+        (Some(inside), Some(over)) if inside == over => Verdict::Scrap,
+        (Some(_), Some(_)) => Verdict::Rework,
+        _ => Verdict::Beyond,
     }
 }
 

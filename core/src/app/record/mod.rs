@@ -7,9 +7,10 @@ mod table;
 mod tests;
 
 pub use probes::{CalibrationState, ProbeOfCall};
-pub(super) use probes::{Probes, probe_of};
+pub(super) use probes::{Probes, of_machine, probe_of};
 pub use table::csv;
 
+use super::protocol::ProtocolView;
 use super::run::{RunAnswer, answers};
 use crate::dialect::Dialect;
 use crate::machine::Setup;
@@ -73,12 +74,21 @@ pub struct RecordAbout {
 impl RecordAbout {
     /// Of a run on a machine.
     pub fn new(setup: &Setup) -> RecordAbout {
+        RecordAbout::of(setup, "record-worth-simulated")
+    }
+
+    /// Of values that a real machine measured.
+    pub fn measured(setup: &Setup) -> RecordAbout {
+        RecordAbout::of(setup, "record-worth-measured")
+    }
+
+    fn of(setup: &Setup, worth: &'static str) -> RecordAbout {
         RecordAbout {
             control: setup.control.dialect,
             machine: setup.name.clone(),
             clock: setup.clock.to_string(),
             ball: 2.0 * setup.probe.radius,
-            worth: ["record-worth-simulated", "record-worth-machine"].map(Message::new).into(),
+            worth: [worth, "record-worth-machine"].map(Message::new).into(),
         }
     }
 }
@@ -92,5 +102,11 @@ impl Record {
         });
         let (about, calls) = (RecordAbout::new(setup), answers(setup, outcome));
         Record { format: FORMAT, program, about, files, ending, calls }
+    }
+
+    /// Of the values that a protocol of a real machine has for the calls of a program.
+    pub fn measured(program: String, view: ProtocolView, files: Vec<RecordFile>) -> Record {
+        let ProtocolView { about, ending, answers, .. } = view;
+        Record { format: FORMAT, program, about, files, ending, calls: answers }
     }
 }

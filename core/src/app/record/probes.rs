@@ -65,6 +65,15 @@ pub fn probe_of(inputs: &Inputs) -> ProbeInCall {
     ProbeInCall { field: number % 100, mono, measures }
 }
 
+/// The probe of a call on a real machine: of its ball nothing is known that its data could be held against.
+pub fn of_machine(probe: ProbeOfCall) -> ProbeOfCall {
+    if probe.state != CalibrationState::Differs {
+        return probe;
+    }
+    let state = CalibrationState::Stored;
+    ProbeOfCall { state, calibration: Message::new(state.key()), ..probe }
+}
+
 /// The probes of a run, call by call.
 pub struct Probes<'a> {
     setup: &'a Setup,

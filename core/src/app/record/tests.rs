@@ -30,8 +30,8 @@ fn hole(size: f64) -> crate::workpiece::Workpiece {
 }
 
 /// Measures the hole, once with each of these lines before the call.
-const MEASURE: &str = "G17 G54 G90 T9 D1\nM6\nG0 X0 Y0\nG0 Z-10\n_PRNUM=1 _SETVAL=50 _KNUM=0 _FA=2 _TSA=1 _MVAR=1 _VMS=0 \
-    _NMSP=1 _TUL=0.1 _TLL=-0.05 _TZL=0.01 _TMV=0.02 _TDIF=0.5 _K=1 _EVNUM=0 _STA1=0\nCYCLE977\nM30\n";
+const MEASURE: &str = "G17 G54 G90 T9 D1\nM6\nG0 X0 Y0\nG0 Z-10\n_PRNUM=1 _SETVAL=50 _KNUM=0 _FA=2 _TSA=1 _MVAR=1 \
+    _VMS=0 _NMSP=1 _TUL=0.1 _TLL=-0.05 _TZL=0.01 _TMV=0.02 _TDIF=0.5 _K=1 _EVNUM=0 _STA1=0\nCYCLE977\nM30\n";
 
 fn near(one: f64, other: f64) -> bool {
     (one - other).abs() < 1e-6

@@ -11,6 +11,7 @@ mod jog;
 mod joined;
 mod log;
 mod progress;
+mod protocol;
 mod read;
 mod record;
 mod run;

@@ -1,11 +1,9 @@
 //! The record of a run, written as a table or as a document.
 
 use crate::file::{self, Problem};
-use probewright_core::app::{Record, RecordFile, csv};
+use probewright_core::app::{Record, csv};
 use probewright_core::json;
-use probewright_core::machine::Setup;
 use probewright_core::message::Message;
-use probewright_core::run::Outcome;
 use probewright_core::words::Words;
 use std::path::{Path, PathBuf};
 
@@ -27,20 +25,12 @@ impl File {
         Ok(File { path: path.to_owned(), table })
     }
 
-    /// Writes the record of a run of a program with these files beside it.
-    pub fn write(
-        &self,
-        program: String,
-        beside: Vec<RecordFile>,
-        setup: &Setup,
-        outcome: &Outcome,
-        words: &Words,
-    ) -> Result<(), Problem> {
-        let record = Record::new(program, setup, outcome, beside);
+    /// Writes a record.
+    pub fn write(&self, record: &Record, words: &Words) -> Result<(), Problem> {
         let text = if self.table {
-            csv(&record, &|message| words.text(message))
+            csv(record, &|message| words.text(message))
         } else {
-            let mut document = json::document(&record);
+            let mut document = json::document(record);
             words.speak(&mut document);
             format!("{}\n", serde_json::to_string_pretty(&document)?)
         };

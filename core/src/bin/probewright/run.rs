@@ -4,9 +4,10 @@ use crate::check::{print_all, print_placed, printed};
 use crate::file::Problem;
 use crate::joined::Joined;
 use crate::progress::Progress;
+use crate::protocol::Protocol;
 use crate::stream::Stream;
-use crate::{document, file, log, record, scan};
-use probewright_core::app::{RunAssumed, RunView};
+use crate::{document, file, log, protocol, record, scan};
+use probewright_core::app::{Record, RunAssumed, RunView};
 use probewright_core::catalogue::alarms;
 use probewright_core::control::Value;
 use probewright_core::diagnostic::{Diagnostic, Severity};
@@ -55,16 +56,26 @@ pub struct Arguments {
     #[arg(long, value_name = "FILE")]
     record: Option<PathBuf>,
     #[command(flatten)]
+    protocol: protocol::Named,
+    #[command(flatten)]
     scan: scan::Files,
+}
+
+impl Arguments {
+    /// Whether all of the program and of the run is needed afterwards.
+    fn whole(&self) -> bool {
+        self.json || self.record.is_some() || self.protocol.given()
+    }
 }
 
 /// Runs a program; 1 when it has an error or did not reach its end.
 pub fn run(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Result<ExitCode, Problem> {
     let record = arguments.record.as_deref().map(record::File::of).transpose()?;
+    let protocol = arguments.protocol.read()?;
     let text = Text::of(arguments)?;
     let given = Given { program: arguments.program.clone(), values: values(&arguments.arg)? };
     let limits = Limits { steps: arguments.max_blocks, strict: arguments.strict, ..Limits::default() };
-    let limits = if arguments.json || record.is_some() { limits } else { limits.unrecorded() };
+    let limits = if arguments.whole() { limits } else { limits.unrecorded() };
     let setup = setup(arguments, words, out)?;
     let mut text = text.on(setup.as_ref(), arguments)?;
     let mut progress = Progress::new(words);
@@ -94,9 +105,11 @@ pub fn run(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Result<
         let lines = outcome.printed().into_iter();
         file::write(print, lines.map(|line| format!("{line}\n")))?;
     }
-    if let Some(record) = record {
-        record.write(joined.name(), joined.beside(), &setup, &outcome, words)?;
-    }
+    let ways = (record.as_ref(), protocol);
+    let fits = match arguments.json {
+        true => write_record(ways, joined, (&setup, &outcome), words, &mut std::io::sink())?,
+        false => write_record(ways, joined, (&setup, &outcome), words, out)?,
+    };
     arguments.scan.write(&outcome.scans)?;
     let written = match (&arguments.log, arguments.json) {
         (None, true) => true, // they are in the document
@@ -104,11 +117,31 @@ pub fn run(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Result<
         (folder, false) => log::write(&outcome.files, folder.as_deref(), words, out)?,
     };
     let wrong = |found: &Diagnostic| found.severity == Severity::Error;
-    Ok(if written && outcome.finished() && !outcome.diagnostics.iter().any(wrong) {
+    Ok(if written && fits && outcome.finished() && !outcome.diagnostics.iter().any(wrong) {
         ExitCode::SUCCESS
     } else {
         ExitCode::FAILURE
     })
+}
+
+/// Lays the protocol onto the run and tells how, and writes the record of both; whether something of the protocol fits.
+fn write_record(
+    (record, protocol): (Option<&record::File>, Option<Protocol>),
+    joined: &Joined,
+    (setup, outcome): (&Setup, &Outcome),
+    words: &Words,
+    out: &mut dyn Write,
+) -> Result<bool, Problem> {
+    let laid = protocol.map(|protocol| protocol.laid(setup, outcome)).transpose()?;
+    let fits = laid.as_ref().map_or(Ok(true), |laid| laid.print(words, out))?;
+    if let Some(file) = record {
+        let made = match laid {
+            Some(laid) => Record::measured(joined.name(), laid.view, joined.beside()),
+            None => Record::new(joined.name(), setup, outcome, joined.beside()),
+        };
+        file.write(&made, words)?;
+    }
+    Ok(fits)
 }
 
 /// Runs a text on the machine that is named, else on one that fits it.
@@ -161,8 +194,7 @@ struct Text {
 impl Text {
     fn of(arguments: &Arguments) -> Result<Text, Problem> {
         let language = |source: &[u8]| file::dialect(arguments.control, source);
-        let whole = arguments.json || arguments.record.is_some();
-        let alone = !whole && arguments.with.is_empty() && arguments.program.is_none();
+        let alone = !arguments.whole() && arguments.with.is_empty() && arguments.program.is_none();
         match alone.then(|| Stream::of(&arguments.file, language)).flatten() {
             Some(stream) => Ok(Text { joined: Joined::unheld(&arguments.file, stream.dialect), stream: Some(stream) }),
             None => Text::whole(arguments),

@@ -126,6 +126,8 @@ fn the_types_of_the_page_are_those_of_the_core() {
     types.visit::<RunRequest>();
     types.visit::<RunView>();
     types.visit::<Record>();
+    types.visit::<ProtocolRequest>();
+    types.visit::<ProtocolView>();
     types.visit::<OfCall>();
     types.visit::<ScanRequest>();
     types.visit::<ScanView>();

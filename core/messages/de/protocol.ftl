@@ -1,0 +1,19 @@
+# Ein Protokoll einer wirklichen Maschine: warum eine Zeile oder das Ganze nicht passt, und was hilft.
+
+protocol-ending = { $fitted ->
+    [one] 1 Zeile des Protokolls passt. Zeilen, die nicht passen: { $unfit }. Aufrufe ohne Wert: { $missing }.
+   *[other] { $fitted } Zeilen des Protokolls passen. Zeilen, die nicht passen: { $unfit }. Aufrufe ohne Wert: { $missing }.
+}
+protocol-empty = Das Protokoll ist leer: die Datei wählen, die die Maschine geschrieben hat.
+protocol-large = Das Protokoll hat mehr als { $most } Zeilen: teilen, eine Datei je Teil.
+protocol-no-calls = Das Programm misst nichts, wofür ein Protokoll Werte haben könnte: das Programm öffnen, das die Maschine ausgeführt hat.
+protocol-no-actual = Die Spalte des Istwerts fehlt: sie nennen, oder die von Sollwert und Abweichung.
+protocol-no-column = Keine Zeile hat eine Spalte „{ $name }“. Die erste Zeile lautet: { $fields }. Einen dieser Namen wählen, oder eine Nummer ab 1.
+protocol-no-value = Kein Messwert in dieser Zeile.
+protocol-no-number = In Spalte „{ $column }“ steht keine Zahl, sondern „{ $text }“: eine andere Spalte wählen oder die Zeile berichtigen.
+protocol-no-call = Kein Aufruf ohne Wert hat einen Sollwert aus dieser Zeile: prüfen, ob das Programm zum Protokoll gehört, oder die Spalten wählen.
+protocol-no-heading = Kein weiterer Aufruf von { $cycle } mit Messvariante { $variant }: prüfen, ob das Programm zum Protokoll gehört.
+protocol-no-number-of-call = Das Programm hat keine Messung { $number }: die Spalte der Nummer prüfen.
+protocol-no-line = In Zeile { $line } des Programms steht kein Aufruf ohne Wert: die Spalte der Zeile prüfen.
+protocol-no-result = Der Aufruf hat kein Ergebnis { $name } ohne Wert: die Spalte des Ergebnisses prüfen.
+protocol-differs = Die Abweichung { $by } ist nicht Istwert minus Sollwert, das wäre { $is }: die Spalten prüfen.

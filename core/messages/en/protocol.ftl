@@ -1,0 +1,19 @@
+# A protocol of a real machine: why a line or the whole of it is not taken, and what helps.
+
+protocol-ending = { $fitted ->
+    [one] 1 line of the protocol fits. Lines that do not fit: { $unfit }. Calls without a value: { $missing }.
+   *[other] { $fitted } lines of the protocol fit. Lines that do not fit: { $unfit }. Calls without a value: { $missing }.
+}
+protocol-empty = The protocol is empty: choose the file that the machine wrote.
+protocol-large = The protocol has more than { $most } lines: split it, a file for each part.
+protocol-no-calls = The program measures nothing that a protocol could have values for: open the program that the machine carried out.
+protocol-no-actual = The column of the actual value is missing: name it, or those of setpoint and deviation.
+protocol-no-column = No line has a column “{ $name }”. The first line reads: { $fields }. Choose one of these names, or a number from 1.
+protocol-no-value = No measured value in this line.
+protocol-no-number = Column “{ $column }” holds no number but “{ $text }”: choose another column, or correct the line.
+protocol-no-call = No call without a value has a setpoint from this line: check that the program belongs to the protocol, or choose the columns.
+protocol-no-heading = No further call of { $cycle } with variant { $variant }: check that the program belongs to the protocol.
+protocol-no-number-of-call = The program has no measurement { $number }: check the column of the number.
+protocol-no-line = No call without a value is in line { $line } of the program: check the column of the line.
+protocol-no-result = The call has no result { $name } without a value: check the column of the result.
+protocol-differs = The deviation { $by } is not actual value minus setpoint, which is { $is }: check the columns.

@@ -1,0 +1,16 @@
+# 真实机床的测量记录：为何某一行或整个记录不能采用，以及如何处理。
+
+protocol-ending = 测量记录中相符的行：{ $fitted }。不相符的行：{ $unfit }。没有数值的调用：{ $missing }。
+protocol-empty = 测量记录为空：请选择机床写出的文件。
+protocol-large = 测量记录超过 { $most } 行：请拆分，每个零件一个文件。
+protocol-no-calls = 此程序不测量任何内容，测量记录中不会有相应数值：请打开机床执行的程序。
+protocol-no-actual = 缺少实际值列：请指定该列，或指定设定值列和偏差列。
+protocol-no-column = 没有任何一行含有列“{ $name }”。第一行为：{ $fields }。请选用其中一个名称，或从 1 起的列号。
+protocol-no-value = 此行没有测量值。
+protocol-no-number = 列“{ $column }”不是数字，而是“{ $text }”：请选择其他列，或改正该行。
+protocol-no-call = 没有尚缺数值的调用具有此行中的设定值：请检查程序与测量记录是否相符，或指定各列。
+protocol-no-heading = 没有更多测量变体为 { $variant } 的 { $cycle } 调用：请检查程序与测量记录是否相符。
+protocol-no-number-of-call = 程序中没有第 { $number } 次测量：请检查序号列。
+protocol-no-line = 程序第 { $line } 行没有尚缺数值的调用：请检查行号列。
+protocol-no-result = 该调用没有尚缺数值的结果 { $name }：请检查结果列。
+protocol-differs = 偏差 { $by } 不等于实际值减设定值，后者为 { $is }：请检查各列。

@@ -1,0 +1,279 @@
+//! Lines of a protocol laid onto the quantities that the calls of a program measure.
+
+use super::text::{Figure, Line};
+use super::{Column, Columns};
+use crate::app::run::RunAnswer;
+use crate::message::Message;
+use std::collections::BTreeMap;
+
+/// A quantity that a call measures, and its value in the protocol.
+#[derive(Clone, Debug)]
+pub struct Quantity {
+    /// Index of the call.
+    pub call: usize,
+    /// The result that has it.
+    pub name: &'static str,
+    /// As it should be.
+    pub set: Option<f64>,
+    /// As it was measured.
+    pub actual: Option<f64>,
+    /// The setpoint of the protocol where it is another one.
+    pub told: Option<f64>,
+}
+
+/// Farthest that an actual value without a difference beside it is from its setpoint, mm or degree.
+const NEAR: f64 = 5.0;
+/// Farthest that a quantity is looked for of which neither call nor setpoint is known.
+const AHEAD: usize = 1000;
+/// Setpoints that agree in so many parts of a unit stand beside each other.
+const PARTS: f64 = 1000.0;
+
+/// The calls of a program as a protocol has their values.
+pub struct Fit<'a> {
+    calls: &'a [RunAnswer],
+    /// All quantities, in the order of the calls.
+    pub quantities: Vec<Quantity>,
+    /// Index of the first quantity of each call, and one behind the last.
+    starts: Vec<usize>,
+    /// By the setpoint, in parts of a unit: the quantities that have it, the last one first; those before `from` are
+    /// taken away as they are met.
+    by_set: BTreeMap<i64, Vec<usize>>,
+    /// The quantities that the next line may be about.
+    from: usize,
+    until: usize,
+    /// The quantity of the last line.
+    last: Option<usize>,
+    /// One behind the call of the last heading.
+    headed: usize,
+    /// Calls by cycle and variant, the last one first; those before `headed` are taken away as they are met.
+    by_kind: BTreeMap<(&'static str, i64), Vec<usize>>,
+    /// Calls by their line of the program, the last one first; those with all their values are taken away.
+    by_line: BTreeMap<u32, Vec<usize>>,
+}
+
+/// Why a line is not laid onto a call.
+type Unfit = Message;
+
+impl<'a> Fit<'a> {
+    /// No line is laid yet. `variants`: number of the variant of each call.
+    pub fn new(calls: &'a [RunAnswer], variants: &[i64]) -> Fit<'a> {
+        let (mut quantities, mut starts) = (Vec::new(), vec![0]);
+        for (call, answer) in calls.iter().enumerate() {
+            let figures = answer.answer.figures.iter();
+            quantities.extend(figures.map(|one| Quantity {
+                call,
+                name: one.name,
+                set: one.set,
+                actual: None,
+                told: None,
+            }));
+            starts.push(quantities.len());
+        }
+        let (mut by_kind, mut by_line) = (BTreeMap::new(), BTreeMap::new());
+        for (index, (answer, variant)) in calls.iter().zip(variants).enumerate().rev() {
+            let kind = (answer.call.cycle.unwrap_or_default(), *variant);
+            by_kind.entry(kind).or_insert_with(Vec::new).push(index);
+            by_line.entry(answer.call.line.unwrap_or_default()).or_insert_with(Vec::new).push(index);
+        }
+        let mut by_set: BTreeMap<i64, Vec<usize>> = BTreeMap::new();
+        for (index, set) in quantities.iter().enumerate().rev().filter_map(|(index, one)| Some((index, one.set?))) {
+            by_set.entry(part(set)).or_default().push(index);
+        }
+        let until = quantities.len();
+        Fit { calls, quantities, starts, by_set, from: 0, until, last: None, headed: 0, by_kind, by_line }
+    }
+
+    /// Lays a line whose figures say by themselves what they are; none: it is a heading, or was laid.
+    ///
+    /// # Errors
+    /// It fits no call: why.
+    pub fn plain(&mut self, line: &Line) -> Result<(), Unfit> {
+        if let Some(heading) = self.heading(line) {
+            return heading;
+        }
+        let figures: Vec<Figure> = line.fields.iter().filter_map(|field| Figure::of(field)).collect();
+        if figures.len() < 2 {
+            return Err(Message::new("protocol-no-value"));
+        }
+        let mut best: Option<(bool, usize, f64)> = None;
+        for (at, set) in figures.iter().enumerate() {
+            let Some((sure, actual)) = actual(*set, &figures[at + 1..]) else { continue };
+            let Some(index) = self.next(*set) else { continue };
+            if best.is_none_or(|(known, first, _)| (!sure, index) < (!known, first)) {
+                best = Some((sure, index, actual));
+            }
+        }
+        match best {
+            Some((_, index, actual)) => self.put(index, actual, None),
+            None => {
+                let (index, set, actual) = self.following(&figures).ok_or_else(|| Message::new("protocol-no-call"))?;
+                self.put(index, actual, Some(set));
+            }
+        }
+        Ok(())
+    }
+
+    fn put(&mut self, index: usize, actual: f64, told: Option<f64>) {
+        let quantity = &mut self.quantities[index];
+        (quantity.actual, quantity.told) = (Some(actual), told);
+        self.from = self.from.max(self.starts[quantity.call]);
+        self.last = Some(index);
+    }
+
+    /// The quantity behind that of the last line, or the next one of the call of the heading, for a line with setpoint,
+    /// actual value and difference: where a centre is expected where the probe stands, its setpoint is another one.
+    fn following(&self, figures: &[Figure]) -> Option<(usize, f64, f64)> {
+        let open = |index: &usize| self.quantities.get(*index).is_some_and(|one| one.actual.is_none());
+        let call = |index: usize| self.quantities.get(index).map(|one| one.call);
+        let behind = self.last.map(|last| last + 1).filter(|next| call(*next) == call(next - 1)).filter(open);
+        let alone = call(self.from).is_some() && call(self.from) == call(self.until.saturating_sub(1));
+        let headed = || alone.then(|| (self.from..self.until).find(open)).flatten();
+        let index = behind.or_else(headed)?;
+        let near = |set: Figure| self.quantities[index].set.is_some_and(|own| (set.value - own).abs() <= NEAR);
+        let mut sure = figures.iter().enumerate().filter(|(_, set)| near(**set)).filter_map(|(at, set)| {
+            let (sure, actual) = actual(*set, &figures[at + 1..])?;
+            sure.then_some((index, set.value, actual))
+        });
+        sure.next()
+    }
+
+    /// The heading of a block of the log: cycle, `_MVAR` and its number (B:11486-11512).
+    fn heading(&mut self, line: &Line) -> Option<Result<(), Unfit>> {
+        let at = line.fields.iter().position(|field| field == "_MVAR")?;
+        let cycle = line.fields[..at].last()?;
+        let variant = Figure::of(line.fields.get(at + 1)?)?.value as i64;
+        let of_kind = self.by_kind.iter_mut().find(|((name, number), _)| name == cycle && *number == variant);
+        let found = of_kind.and_then(|(_, calls)| {
+            while calls.last().is_some_and(|call| *call < self.headed) {
+                calls.pop();
+            }
+            calls.pop()
+        });
+        let Some(call) = found else {
+            (self.from, self.until, self.last) = (0, 0, None);
+            let why = Message::new("protocol-no-heading").text("cycle", cycle).number("variant", variant as f64);
+            return Some(Err(why));
+        };
+        self.headed = call + 1;
+        (self.from, self.until, self.last) = (self.starts[call], self.starts[call + 1], None);
+        Some(Ok(()))
+    }
+
+    /// The next quantity without a value that has this setpoint.
+    fn next(&mut self, set: Figure) -> Option<usize> {
+        let (from, until) = (self.from, self.until);
+        let around = part(set.value - set.half) - 1..=part(set.value + set.half) + 1;
+        if around.end() - around.start() > 2 * PARTS as i64 {
+            return None;
+        }
+        let quantities = &self.quantities;
+        let mut found: Option<usize> = None;
+        for (_, indices) in self.by_set.range_mut(around) {
+            while indices.last().is_some_and(|index| *index < from || quantities[*index].actual.is_some()) {
+                indices.pop();
+            }
+            let own = |index: &&usize| quantities[**index].set.is_some_and(|value| set.is(value));
+            let open = |index: &&usize| quantities[**index].actual.is_none();
+            let first = indices.iter().rev().take_while(|index| **index < until).filter(open).find(own);
+            found = found.into_iter().chain(first.copied()).min();
+        }
+        found
+    }
+
+    /// Lays a line of a table of which it is known what stands in which column.
+    ///
+    /// # Errors
+    /// It fits no call: why.
+    pub fn row(&mut self, line: &Line, columns: &Columns) -> Result<(), Unfit> {
+        let text = |column: &Column| line.fields.get(column.index).map_or("", String::as_str);
+        let number = |column: &Option<Column>| {
+            let Some(column) = column else { return Ok(None) };
+            let bad = || Message::new("protocol-no-number").text("column", &column.name).text("text", text(column));
+            Figure::of(text(column)).map(Some).ok_or_else(bad)
+        };
+        let call = self.called(number(&columns.number)?, number(&columns.line)?)?;
+        let (nominal, deviation) = (number(&columns.nominal)?, number(&columns.deviation)?);
+        let name = columns.result.as_ref().map(text);
+        let index = self.quantity(call, name, nominal)?;
+        let set = nominal.map(|figure| figure.value).or(self.quantities[index].set);
+        let actual = match (number(&columns.actual)?, deviation, set) {
+            (Some(actual), Some(by), Some(set))
+                if !(Figure { half: actual.half + by.half, ..by }).is(actual.value - set) =>
+            {
+                return Err(Message::new("protocol-differs").number("by", by.value).number("is", actual.value - set));
+            }
+            (Some(actual), _, _) => actual.value,
+            (None, Some(by), Some(set)) => set + by.value,
+            _ => return Err(Message::new("protocol-no-value")),
+        };
+        let own = self.quantities[index].set;
+        let told = nominal.filter(|nominal| own.is_some_and(|own| !nominal.is(own))).map(|nominal| nominal.value);
+        let (from, last) = (self.from, self.last);
+        self.put(index, actual, told);
+        if call.is_some() {
+            (self.from, self.last) = (from, last);
+        }
+        Ok(())
+    }
+
+    /// The call with this number, or the next one of this line of the program; none: neither is told.
+    fn called(&mut self, number: Option<Figure>, line: Option<Figure>) -> Result<Option<usize>, Unfit> {
+        if let Some(number) = number {
+            let call = (number.value as usize).checked_sub(1).filter(|call| *call < self.calls.len());
+            let missing = || Message::new("protocol-no-number-of-call").number("number", number.value);
+            return call.map(Some).ok_or_else(missing);
+        }
+        let Some(line) = line.map(|line| line.value as u32) else { return Ok(None) };
+        let (quantities, starts) = (&self.quantities, &self.starts);
+        let full = |call: usize| quantities[starts[call]..starts[call + 1]].iter().all(|one| one.actual.is_some());
+        let calls = self.by_line.entry(line).or_default();
+        while calls.last().is_some_and(|call| full(*call)) {
+            calls.pop();
+        }
+        let missing = || Message::new("protocol-no-line").number("line", f64::from(line));
+        calls.last().copied().map(Some).ok_or_else(missing)
+    }
+
+    /// The quantity of a call, or of any, with this result, with this setpoint, or the next one without a value.
+    fn quantity(&mut self, call: Option<usize>, name: Option<&str>, nominal: Option<Figure>) -> Result<usize, Unfit> {
+        if let (None, None, Some(nominal)) = (call, name, nominal) {
+            return self.next(nominal).ok_or_else(|| Message::new("protocol-no-call"));
+        }
+        while call.is_none() && self.quantities.get(self.from).is_some_and(|one| one.actual.is_some()) {
+            self.from += 1;
+        }
+        let ahead = self.quantities.len().min(self.from + AHEAD);
+        let range = call.map_or(self.from..ahead, |call| self.starts[call]..self.starts[call + 1]);
+        let open = |index: &usize| self.quantities[*index].actual.is_none();
+        let named = |index: &usize| name.is_none_or(|name| self.quantities[*index].name == name);
+        let of_set = |index: &usize| match (nominal, self.quantities[*index].set) {
+            (Some(nominal), Some(set)) => nominal.is(set),
+            _ => true,
+        };
+        let near = |index: &usize| match (nominal, self.quantities[*index].set) {
+            (Some(nominal), Some(set)) => call.is_some() && (nominal.value - set).abs() <= NEAR,
+            _ => false,
+        };
+        let all = || range.clone().filter(named).filter(open);
+        let found = all().find(of_set).or_else(|| all().find(near));
+        found.ok_or_else(|| match (name, nominal) {
+            (Some(name), _) => Message::new("protocol-no-result").text("name", name),
+            _ => Message::new("protocol-no-call"),
+        })
+    }
+}
+
+fn part(value: f64) -> i64 {
+    (value * PARTS).round() as i64
+}
+
+/// The actual value behind a setpoint, and whether the difference of both stands there too.
+fn actual(set: Figure, behind: &[Figure]) -> Option<(bool, f64)> {
+    let sure = behind.iter().enumerate().find(|(at, actual)| {
+        let by = actual.value - set.value;
+        let mut others = behind.iter().enumerate().filter(|(other, _)| other != at);
+        others.any(|(_, one)| Figure { half: one.half + actual.half + set.half, ..*one }.is(by))
+    });
+    let near = || behind.first().filter(|actual| (actual.value - set.value).abs() <= NEAR);
+    sure.map(|(_, actual)| (true, actual.value)).or_else(|| near().map(|actual| (false, actual.value)))
+}

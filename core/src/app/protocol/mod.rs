@@ -1,0 +1,226 @@
+//! A protocol of a real machine, matched with the calls of its program and laid onto the part: the same record, from
+//! values that were measured.
+
+mod arrows;
+mod fit;
+#[cfg(test)]
+mod tests;
+mod text;
+
+pub use arrows::Arrow;
+
+use super::answer::{Value, Values, measured};
+use super::record::RecordAbout;
+use super::run::{Run, RunAnswer, RunRequest};
+use super::{Error, record};
+use crate::machine::Setup;
+use crate::message::{Message, printable};
+use crate::refused::Path;
+use crate::run::Outcome;
+use fit::Fit;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use text::{Line, lines};
+
+/// Most lines of a protocol.
+const MOST: usize = 1_000_000;
+/// Lines in which the headings of a table are looked for.
+const HEAD: usize = 100;
+
+/// A protocol, and the program that it is about.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
+pub struct ProtocolRequest {
+    /// The program and the machine.
+    pub run: RunRequest,
+    /// The protocol.
+    pub protocol: String,
+    /// What stands in which column; absent: the figures of a line tell it.
+    pub columns: Option<ProtocolColumns>,
+}
+
+/// Columns of a table, each by its heading or its number from 1.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
+pub struct ProtocolColumns {
+    /// Number of the call, from 1.
+    pub number: Option<String>,
+    /// Line of the call in the program.
+    pub line: Option<String>,
+    /// Name of the result: `_OVR[4]`.
+    pub result: Option<String>,
+    /// Setpoint.
+    pub nominal: Option<String>,
+    /// Actual value.
+    pub actual: Option<String>,
+    /// Actual value minus setpoint.
+    pub deviation: Option<String>,
+}
+
+/// A protocol laid onto the calls of a program.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct ProtocolView {
+    /// What each call came to on the machine.
+    pub answers: Vec<RunAnswer>,
+    /// Where the values come from.
+    pub about: RecordAbout,
+    /// How many lines fit, and how many calls have no value, in words.
+    pub ending: Message,
+    /// Lines of the protocol whose values stand in the answers.
+    pub fitted: usize,
+    /// Calls of which the protocol has no value.
+    pub missing: usize,
+    /// Lines that fit no call, in their order.
+    pub unfit: Vec<UnfitLine>,
+    /// How the faces that were touched lie, in their order.
+    pub arrows: Vec<Arrow>,
+    /// Fields of the first line of the protocol: names of its columns, where it is a table.
+    pub heads: Vec<String>,
+}
+
+/// A line of a protocol that fits no call.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct UnfitLine {
+    /// Number of the line, from 1.
+    pub line: u32,
+    /// What stands in it, shortened.
+    pub text: String,
+    /// Why it fits none, and what helps.
+    pub why: Message,
+}
+
+/// A column of the table.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Column {
+    index: usize,
+    name: String,
+}
+
+/// What stands where.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(super) struct Columns {
+    number: Option<Column>,
+    line: Option<Column>,
+    result: Option<Column>,
+    nominal: Option<Column>,
+    actual: Option<Column>,
+    deviation: Option<Column>,
+}
+
+/// Runs the program and lays the protocol onto what it measures.
+///
+/// # Errors
+/// The machine has no such G function of units, or the protocol has nothing to read: why.
+pub fn protocol(asked: ProtocolRequest) -> Result<ProtocolView, Error> {
+    let mut run = Run::new(asked.run)?;
+    while !run.advance(10_000) {}
+    let source = run.view().trace;
+    laid(&asked.protocol, asked.columns.as_ref(), &source.setup, &source.outcome)
+}
+
+/// Lays a protocol onto what a program measured in a run.
+///
+/// # Errors
+/// The protocol has nothing to read: why.
+pub fn laid(
+    text: &str,
+    columns: Option<&ProtocolColumns>,
+    setup: &Setup,
+    outcome: &Outcome,
+) -> Result<ProtocolView, Error> {
+    let calls = super::run::answers(setup, outcome);
+    if calls.is_empty() {
+        return Err(refused("protocol-no-calls"));
+    }
+    let lines = lines(text);
+    if lines.len() > MOST {
+        return Err(Error::new("protocol-large", Path::default()).number("most", MOST as f64));
+    }
+    let heads = lines.first().ok_or_else(|| refused("protocol-empty"))?.fields.clone();
+    let columns = columns.map(|names| Columns::of(names, &lines)).transpose()?;
+    let variants: Vec<i64> = outcome.called.iter().map(|called| called.inputs.variant).collect();
+    let mut fit = Fit::new(&calls, &variants);
+    let (mut fitted, mut unfit) = (0, Vec::new());
+    let behind = columns.as_ref().map_or(0, |(_, behind)| *behind);
+    for (at, line) in lines.iter().enumerate() {
+        let tried = match &columns {
+            Some(_) if at < behind => continue,
+            Some((columns, _)) => fit.row(line, columns),
+            None => fit.plain(line),
+        };
+        match tried {
+            Ok(()) => fitted += 1,
+            Err(why) => unfit.push(UnfitLine { line: line.number, text: printable(&line.text), why }),
+        }
+    }
+    let mut values: BTreeMap<usize, Values> = BTreeMap::new();
+    for one in &fit.quantities {
+        if let Some(actual) = one.actual {
+            values.entry(one.call).or_default().insert(one.name, Value { actual, set: one.told });
+        }
+    }
+    let missing = calls.len() - values.len();
+    let arrows = arrows::arrows(&values, outcome);
+    let answers = answers(calls, &values, outcome);
+    let about = RecordAbout::measured(setup);
+    let counts = Message::new("protocol-ending").number("fitted", fitted as f64).number("unfit", unfit.len() as f64);
+    let ending = counts.number("missing", missing as f64);
+    Ok(ProtocolView { answers, about, ending, fitted, missing, unfit, arrows, heads })
+}
+
+/// The answers with the values of the protocol in the place of those of the run.
+fn answers(calls: Vec<RunAnswer>, values: &BTreeMap<usize, Values>, outcome: &Outcome) -> Vec<RunAnswer> {
+    let none = BTreeMap::new();
+    let answer = |(index, (call, called)): (usize, (RunAnswer, _))| RunAnswer {
+        answer: measured(called, outcome, values.get(&index).unwrap_or(&none)),
+        probe: record::of_machine(call.probe),
+        alarms: Vec::new(),
+        ..call
+    };
+    calls.into_iter().zip(&outcome.called).enumerate().map(answer).collect()
+}
+
+fn refused(key: &'static str) -> Error {
+    Error::new(key, Path::default())
+}
+
+impl Columns {
+    /// The columns that are named, and how many lines stand above their values.
+    fn of(names: &ProtocolColumns, lines: &[Line]) -> Result<(Columns, usize), Error> {
+        let all = [&names.number, &names.line, &names.result, &names.nominal, &names.actual, &names.deviation];
+        let named: Vec<&str> = all.into_iter().flatten().map(String::as_str).collect();
+        if names.actual.is_none() && (names.deviation.is_none() || names.nominal.is_none()) {
+            return Err(refused("protocol-no-actual"));
+        }
+        let by_number = |name: &str| name.trim().parse::<usize>().ok().filter(|number| *number > 0);
+        let place = |name: &str, line: &Line| {
+            let same = |field: &String| field.eq_ignore_ascii_case(name.trim());
+            line.fields.iter().position(same).or_else(|| by_number(name).map(|number| number - 1))
+        };
+        let holds = |line: &&Line| named.iter().all(|name| by_number(name).is_some() || place(name, line).is_some());
+        let Some((at, head)) = lines.iter().take(HEAD).enumerate().find(|(_, line)| holds(line)) else {
+            let first = lines.first();
+            let missing = |name: &&&str| first.is_none_or(|line| place(name, line).is_none());
+            let name = named.iter().find(missing).copied().unwrap_or_default();
+            let fields = first.map_or_else(String::new, |line| line.fields.join(" | "));
+            return Err(Error::new("protocol-no-column", Path::default()).text("name", name).text("fields", fields));
+        };
+        let column = |name: &Option<String>| {
+            let name = name.as_ref()?;
+            Some(Column { index: place(name, head)?, name: name.clone() })
+        };
+        let columns = Columns {
+            number: column(&names.number),
+            line: column(&names.line),
+            result: column(&names.result),
+            nominal: column(&names.nominal),
+            actual: column(&names.actual),
+            deviation: column(&names.deviation),
+        };
+        let headed = named.iter().any(|name| by_number(name).is_none());
+        Ok((columns, if headed { at + 1 } else { 0 }))
+    }
+}

@@ -1,0 +1,199 @@
+//! A protocol that one machine writes is laid onto the same program on another machine: what comes of it is what the
+//! first one measured.
+#![allow(clippy::unwrap_used, clippy::panic)]
+
+use super::*;
+use crate::app::{Record, Verdict, csv};
+use crate::control::Plane;
+use crate::dialect::Dialect;
+use crate::geometry::Mcs;
+use crate::machine::Step;
+use crate::run::{Limits, Session};
+use crate::syntax;
+
+/// A milling machine with a calibrated probe and a hole of 50 mm about the zero point: by so much larger, and so far
+/// off in X and Y.
+fn machine(size: f64, off: [f64; 2]) -> Setup {
+    let cycle = crate::catalogue::find(Dialect::Sinumerik, "CYCLE977").unwrap();
+    let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
+    setup.suit(cycle, 1);
+    let [x, y] = off;
+    let part = format!(
+        r#"{{ "control": "sinumerik", "probe": {{ "radius": 3, "length": 50 }}, "workpiece": [
+            {{ "shape": "hole", "size": [50, 40], "at": [{x}, {y}, 0], "errors": {{ "size": {size} }} }} ] }}"#
+    );
+    setup.workpiece = crate::json::setup_from_json(&part).unwrap().workpiece;
+    setup
+}
+
+/// Measures the hole three times and logs it.
+const PROGRAM: &str = "G17 G54 G90 T9 D1\nM6\nG0 X0 Y0\nG0 Z-10\n_PROTNAME[0]=\"PART\" _PROTNAME[1]=\"LOG_1\"\n\
+    _PROTSYM[0]=\",\" _PROTSYM[1]=\"*\" _PROTFORM[0]=60 _PROTFORM[1]=80 _PROTFORM[4]=3 _PROTFORM[5]=12\n\
+    _PROTVAL[0]=\"What, Axis, Set, Actual, Difference\" _PROTVAL[2]=\"D,hole,_OVR[0],_OVR[4],_OVR[16]\"\n\
+    _PROTVAL[3]=\"M,_AXIS1,_OVR[1],_OVR[5],_OVR[17]\" _PROTVAL[4]=\"M,_AXIS2,_OVR[2],_OVR[6],_OVR[18]\"\nCYCLE100\n\
+    _PRNUM=1 _SETVAL=50 _KNUM=0 _FA=2 _TSA=1 _MVAR=1 _VMS=0 _NMSP=1 _TUL=0.1 _TLL=-0.1 _TZL=0.01 _TMV=0.02\n\
+    _TDIF=0.5 _K=1 _EVNUM=0 _STA1=0\nCYCLE977\nCYCLE977\nCYCLE977\nCYCLE101\nM30\n";
+
+fn run(setup: &Setup) -> Outcome {
+    let program = syntax::read(Dialect::Sinumerik, PROGRAM.as_bytes());
+    Session::new(program, setup, Limits::default()).complete()
+}
+
+fn plain(message: &Message) -> String {
+    if message.key == "record-decimal-sign" { ".".to_owned() } else { message.key.to_string() }
+}
+
+/// The actual values of all calls.
+fn values(calls: &[RunAnswer]) -> Vec<f64> {
+    calls.iter().flat_map(|call| &call.answer.figures).map(|figure| figure.actual).collect()
+}
+
+fn near(one: &[f64], other: &[f64], by: f64) -> bool {
+    one.len() == other.len() && one.iter().zip(other).all(|(one, other)| (one - other).abs() < by)
+}
+
+/// Laid onto a machine whose part has no errors.
+fn onto_nominal(text: &str, columns: Option<&ProtocolColumns>) -> Result<ProtocolView, Error> {
+    let nominal = machine(0.0, [0.0; 2]);
+    laid(text, columns, &nominal, &run(&nominal))
+}
+
+// oracle: hand: what the machine measured whose log or table is read; the log has three decimals
+#[test]
+fn what_one_machine_writes_is_read_on_another() {
+    let real = machine(0.06, [0.03, -0.02]);
+    let outcome = run(&real);
+    let record = Record::new("part.mpf".to_owned(), &real, &outcome, Vec::new());
+    let (_, log) = outcome.files.iter().next().unwrap();
+    for (text, by) in [(log.join("\n"), 6e-4), (csv(&record, &plain), 2e-6)] {
+        let view = onto_nominal(&text, None).unwrap();
+        assert!(near(&values(&view.answers), &values(&record.calls), by), "{text}\n{:#?}", view.unfit);
+        assert_eq!((view.missing, view.answers.len()), (0, 3));
+        for (read, measured) in view.answers.iter().zip(&record.calls) {
+            assert_eq!(read.answer.verdict, measured.answer.verdict);
+            let used = |call: &RunAnswer| call.answer.figures[0].limits.unwrap().used.unwrap();
+            assert!((used(read) - used(measured)).abs() < 0.01);
+        }
+    }
+}
+
+// oracle: hand: a hole above its tolerance is scrap, one below it rework; nobody knows what the machine corrected
+#[test]
+fn values_are_judged_by_the_limits_of_the_call() {
+    for (actual, verdict) in [(50.05, Verdict::Within), (50.15, Verdict::Scrap), (49.85, Verdict::Rework)] {
+        let view = onto_nominal(&format!("50 {actual}"), None).unwrap();
+        assert_eq!(view.answers[0].answer.verdict, verdict);
+        assert!(view.answers[0].answer.corrected.is_empty());
+        assert_eq!(view.answers[1].answer.verdict_words.key, "record-missing");
+        assert_eq!((view.fitted, view.missing), (1, 2));
+    }
+}
+
+// oracle: hand: where the faces of the other part are touched
+#[test]
+fn arrows_lead_to_the_faces_of_the_real_part() {
+    let real = machine(0.1, [0.03, -0.02]);
+    let outcome = run(&real);
+    let touches = |outcome: &Outcome| -> Vec<Mcs> {
+        let entries = outcome.trace.entries.to_vec().into_iter();
+        entries.filter_map(|one| if let Step::Touch { point, .. } = one.step { Some(point) } else { None }).collect()
+    };
+    let record = Record::new(String::new(), &real, &outcome, Vec::new());
+    let view = onto_nominal(&csv(&record, &plain), None).unwrap();
+    let there = touches(&outcome);
+    assert_eq!(view.arrows.len(), there.len());
+    for (arrow, there) in view.arrows.iter().zip(there) {
+        let axis = (0..2).max_by(|a, b| arrow.by[*a].abs().total_cmp(&arrow.by[*b].abs())).unwrap();
+        assert!((arrow.at[axis] + arrow.by[axis] - there[axis]).abs() < 2e-4, "{arrow:?} {there:?}");
+    }
+}
+
+fn columns(named: &[(&str, &str)]) -> ProtocolColumns {
+    let of = |name: &str| named.iter().find(|(one, _)| *one == name).map(|(_, column)| (*column).to_owned());
+    ProtocolColumns {
+        number: of("number"),
+        line: of("line"),
+        result: of("result"),
+        nominal: of("nominal"),
+        actual: of("actual"),
+        deviation: of("deviation"),
+    }
+}
+
+// oracle: hand
+#[test]
+fn chosen_columns_say_what_stands_where() {
+    let german = "Protokoll vom 28.11.\nNr;Soll;Ist;Abw\n1;50;50,02 mm;+0,02\n3;50,000;50,04*;0,04\n";
+    let by_number = columns(&[("number", "nr"), ("actual", "Ist"), ("deviation", "Abw"), ("nominal", "Soll")]);
+    let in_order = columns(&[("nominal", "2"), ("actual", "3")]);
+    let results = columns(&[("line", "1"), ("result", "2"), ("actual", "3")]);
+    let offsets = columns(&[("nominal", "Soll"), ("deviation", "Abw")]);
+    let of = |text: &str, columns: &ProtocolColumns| onto_nominal(text, Some(columns)).unwrap();
+    assert!(near(&values(&of(german, &by_number).answers), &[50.02, 50.04], 1e-9));
+    assert_eq!(of(german, &by_number).missing, 1);
+    assert!(near(&values(&of(german, &offsets).answers), &[50.02, 50.04], 1e-9));
+    let view = of(german, &in_order);
+    assert!(near(&values(&view.answers), &[50.02, 50.04], 1e-9) && view.answers[2].answer.figures.is_empty());
+    assert_eq!(view.unfit.len(), 2, "{:?}", view.unfit);
+    let view = of("12 _OVR[5] 0.01\n12 _OVR[4] 50.01\n13 _OVR[4] 50.02\n", &results);
+    assert!(near(&values(&view.answers), &[50.01, 0.01, 50.02], 1e-9), "{:?}", view.unfit);
+}
+
+// oracle: hand: each line that is not laid is told, with its number and why
+#[test]
+fn no_line_is_dropped() {
+    let chosen = columns(&[("number", "1"), ("nominal", "2"), ("actual", "3"), ("deviation", "4")]);
+    let text = "1,50,50.02,0.02\n\n----\n9,50,50.02,0.02\n2,50,none,0.02\n2,50,50.02,0.05\n2,77,77.01,0.01\nend\n";
+    let view = onto_nominal(text, Some(&chosen)).unwrap();
+    let told: Vec<(u32, &str)> = view.unfit.iter().map(|one| (one.line, one.why.key.as_ref())).collect();
+    let expected = [
+        (4, "protocol-no-number-of-call"),
+        (5, "protocol-no-number"),
+        (6, "protocol-differs"),
+        (7, "protocol-no-call"),
+        (8, "protocol-no-number"),
+    ];
+    assert_eq!((view.fitted, &told[..]), (1, &expected[..]));
+    let view = onto_nominal("CYCLE977, _MVAR, 1\nCYCLE978, _MVAR, 100\n50, 50.01, 0.01\nhello\n", None).unwrap();
+    let told: Vec<&str> = view.unfit.iter().map(|one| one.why.key.as_ref()).collect();
+    assert_eq!(told, ["protocol-no-heading", "protocol-no-call", "protocol-no-value"]);
+}
+
+// oracle: hand
+#[test]
+fn a_protocol_with_nothing_to_read_is_refused() {
+    let key = |text: &str, chosen: Option<ProtocolColumns>| {
+        onto_nominal(text, chosen.as_ref()).unwrap_err().message.key.into_owned()
+    };
+    assert_eq!(key("", None), "protocol-empty");
+    assert_eq!(key("\n---\n", None), "protocol-empty");
+    assert_eq!(key("a;b\n1;2\n", Some(columns(&[("actual", "c")]))), "protocol-no-column");
+    assert_eq!(key("a;b\n1;2\n", Some(columns(&[("nominal", "a")]))), "protocol-no-actual");
+    let air = machine(0.0, [0.0; 2]);
+    let nothing = Session::new(syntax::read(Dialect::Sinumerik, b"M30\n"), &air, Limits::default()).complete();
+    assert_eq!(laid("50 50", None, &air, &nothing).unwrap_err().message.key, "protocol-no-calls");
+}
+
+// oracle: hand
+#[test]
+fn a_field_is_a_figure_or_none() {
+    use super::text::Figure;
+    let value = |field: &str| Figure::of(field).map(|figure| figure.value);
+    for (field, figure) in [
+        ("50.02", Some(50.02)),
+        ("+0,02", Some(0.02)),
+        ("−0.02 mm", Some(-0.02)),
+        ("Ø 50.1*", Some(50.1)),
+        (".5", Some(0.5)),
+        ("09:35:12", None),
+        ("98/11/15", None),
+        ("N10", None),
+        ("", None),
+        ("-", None),
+        (".", None),
+        ("1.2.3", None),
+        ("99999999999999", None),
+    ] {
+        assert_eq!(value(field), figure, "{field}");
+    }
+}

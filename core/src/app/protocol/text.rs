@@ -1,0 +1,84 @@
+//! The lines of a protocol in fields, and the figures in them, whatever wrote it: the log of a control, a table.
+
+/// A line of a protocol.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Line {
+    /// Number of the line, from 1.
+    pub number: u32,
+    /// As it is.
+    pub text: String,
+    /// Its fields without the blanks around them.
+    pub fields: Vec<String>,
+}
+
+/// A figure with as many decimals as it has.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Figure {
+    /// Value.
+    pub value: f64,
+    /// Half of its last digit.
+    pub half: f64,
+}
+
+/// Lines from which it is told what parts the fields.
+const LOOKED_AT: usize = 200;
+/// Units that may stand behind a figure.
+const UNITS: [&str; 5] = ["mm", "inch", "in", "°", "deg"];
+
+/// The lines in which something stands.
+pub fn lines(text: &str) -> Vec<Line> {
+    let text = text.trim_start_matches('\u{feff}');
+    let all = || text.lines().filter(|line| line.contains(char::is_alphanumeric));
+    let parted = [';', '\t', ','].into_iter().find(|sign| {
+        let (with, count) = all()
+            .take(LOOKED_AT)
+            .fold((0, 0), |(with, count), line| (with + usize::from(line.contains(*sign)), count + 1));
+        2 * with > count || (*sign == ',' && with > 0)
+    });
+    let numbered = text.lines().zip(1..).filter(|(line, _)| line.contains(char::is_alphanumeric));
+    numbered.map(|(line, number)| Line { number, text: line.to_owned(), fields: fields(line, parted) }).collect()
+}
+
+/// The fields of a line, in quotes or not; without a sign between them blanks part them.
+fn fields(line: &str, parted: Option<char>) -> Vec<String> {
+    let Some(parted) = parted else { return line.split_whitespace().map(str::to_owned).collect() };
+    let mut fields = vec![String::new()];
+    let mut quoted = false;
+    for c in line.chars() {
+        match c {
+            '"' => quoted = !quoted,
+            _ if c == parted && !quoted => fields.push(String::new()),
+            _ => {
+                if let Some(last) = fields.last_mut() {
+                    last.push(c);
+                }
+            }
+        }
+    }
+    fields.into_iter().map(|field| field.trim().to_owned()).collect()
+}
+
+impl Figure {
+    /// The figure that a field is: with a sign, a decimal point or comma, and behind it a unit or the mark of a value
+    /// beyond its limits (B:11439-11441).
+    pub fn of(field: &str) -> Option<Figure> {
+        let plain = field.trim_start_matches(['Ø', '\'', '+']).trim_start().replace('−', "-").replace(',', ".");
+        let digits = |c: char| c.is_ascii_digit() || c == '.';
+        let signed = plain.strip_prefix('-').unwrap_or(&plain);
+        let end = plain.len() - signed.len() + signed.find(|c| !digits(c)).unwrap_or(signed.len());
+        let (number, behind) = plain.split_at_checked(end)?;
+        let behind = behind.trim();
+        let marked = behind.chars().count() == 1 && !behind.contains(char::is_alphanumeric) && behind != ":";
+        if !(behind.is_empty() || marked || UNITS.contains(&behind)) || !number.contains(|c: char| c.is_ascii_digit()) {
+            return None;
+        }
+        let decimals = number.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+        let value = number.parse().ok().filter(|value: &f64| value.abs() < 1e9)?;
+        Some(Figure { value, half: 0.5 * 0.1_f64.powi(decimals.min(12) as i32) })
+    }
+
+    /// Whether this value, rounded to so many decimals, is the figure.
+    pub fn is(self, value: f64) -> bool {
+        (self.value - value).abs() <= self.half * 1.02 + 1e-9
+    }
+}

@@ -1,0 +1,18 @@
+# Protokolle einer wirklichen Maschine.
+
+protocol-title = Protokoll der Maschine
+protocol-open = Von der Maschine
+protocol-open-hint = Messprotokoll der Steuerung oder Tabelle (CSV) des wirklichen Teils lesen und die Werte den Aufrufen zuordnen.
+protocol-of = Auf der Maschine gemessen: { $name }
+protocol-busy = Wird gelesen …
+protocol-close = Zurück zur Simulation
+protocol-unfit = Zeilen, die nicht passen: { $count }
+protocol-unfit-save = Alle sichern
+protocol-columns = Spalten
+protocol-column-number = Nummer des Aufrufs
+protocol-column-line = Zeile im Programm
+protocol-column-result = Ergebnis
+protocol-column-nominal = Sollwert
+protocol-column-actual = Istwert
+protocol-column-deviation = Abweichung
+protocol-too-large = Die Datei ist größer als { $most } MB: das Protokoll eines einzelnen Teils wählen.
