@@ -5,9 +5,10 @@
 use super::{Control, Make, TOOL_LENGTH_TYPE, Units, Value, arrays, gud, machine_data, nct_data};
 use crate::dialect::Dialect;
 use serde::de::{Deserialize, Deserializer, Visitor};
-use std::collections::BTreeMap;
+use std::collections::HashMap;
 use std::fmt;
 use std::fmt::Formatter;
+use std::hash::{BuildHasherDefault, DefaultHasher};
 use std::sync::OnceLock;
 #[cfg(test)]
 use std::{cell::RefCell, collections::BTreeSet};
@@ -101,12 +102,16 @@ fn number(value: Option<&Value>) -> f64 {
     if let Some(Value::Number(number)) = value { *number } else { 0.0 }
 }
 
+/// By name, in an order that is the same in every run. A measurement asks for some hundred data; names that begin alike
+/// are slow to sort.
+type ByName<T> = HashMap<String, T, BuildHasherDefault<DefaultHasher>>;
+
 /// Data by name; see [`super::Control::data`].
 #[derive(Clone, Debug)]
 pub struct Data {
-    delivered: &'static BTreeMap<String, Value>,
+    delivered: &'static ByName<Value>,
     /// What differs; `None`: a delivered datum that is gone.
-    written: BTreeMap<String, Option<Value>>,
+    written: ByName<Option<Value>>,
     /// SD 42950 as a number, 0 where it is none: every motion asks for it.
     length_type: f64,
 }
@@ -114,10 +119,10 @@ pub struct Data {
 impl Data {
     /// As delivered.
     pub fn delivered(dialect: Dialect, units: Units) -> Data {
-        static MADE: [[OnceLock<BTreeMap<String, Value>>; 2]; 2] = [const { [const { OnceLock::new() }; 2] }; 2];
+        static MADE: [[OnceLock<ByName<Value>>; 2]; 2] = [const { [const { OnceLock::new() }; 2] }; 2];
         let made = &MADE[dialect as usize][units as usize];
-        let delivered = made.get_or_init(|| (Make::of(dialect).delivered)(units));
-        Data { delivered, written: BTreeMap::new(), length_type: number(delivered.get(TOOL_LENGTH_TYPE)) }
+        let delivered = made.get_or_init(|| (Make::of(dialect).delivered)(units).into_iter().collect());
+        Data { delivered, written: ByName::default(), length_type: number(delivered.get(TOOL_LENGTH_TYPE)) }
     }
 
     /// A datum; `None` where it was never set.
