@@ -33,14 +33,14 @@ async function simulated(page, { piece, lines }) {
   return page.evaluate(text => {
     const core = globalThis["bench-program"];
     const times = [];
-    for (let n = 0; n < 150; n++) {
+    for (let n = 0; n < 300; n++) {
       const start = performance.now();
       const answer = core.practise(text);
       answer.view();
       times.push(performance.now() - start);
       answer.free();
     }
-    return times.slice(50).sort((a, b) => a - b);
+    return times.slice(200).sort((a, b) => a - b);
   }, request);
 }
 

@@ -74,7 +74,7 @@ const OFFSET: &[Line] = &[
 const OLDER_OFFSET: &[Line] = &[
     corrects("jog-help-offset-corrects", "A:2943-2946;A:3124"),
     corrects("jog-help-older-basic", "A:2948-2954"),
-    corrects("jog-help-older-active", "A:2925;A:3776-3800"),
+    corrects("jog-help-older-active", "A:2925;A:3124"),
 ];
 /// The tool probe.
 const TOOL: &[Line] =

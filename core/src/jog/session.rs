@@ -365,7 +365,7 @@ impl Session {
             }
         }
         if mask.by_hand() {
-            values.put("corner", Value::Word("outside".to_owned())); // there is no other (A:3130)
+            values.put("corner", Value::Word("outside".to_owned())); // the mask has no other (A:3141-3145)
         }
         self.values = values;
         self.mask = Some(mask);

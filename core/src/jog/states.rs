@@ -138,7 +138,7 @@ pub const ROWS: &[Row] = &{
         row(Mask, Key::Field, Always, Does::Change, Mask, "B:3963"),
         row(Ready, Key::Field, Always, Does::Change, Ready, "B:3963"),
         row(Mask, Key::Start, When::Measurable, Does::Measure, Busy, "B:3030;B:3082;B:3086"),
-        row(Busy, Key::Done, When::ByHand, Does::Hold, Mask, "A:3181-3188"),
+        row(Busy, Key::Done, When::ByHand, Does::Hold, Mask, "A:3183-3188"),
         row(Busy, Key::Done, When::More, Does::Store, Mask, "B:3084;B:2806-2817"),
         row(Busy, Key::Done, When::Complete, Does::Write, Mask, "B:3034"),
         row(Busy, Key::Done, When::Inactive, Does::Write, Activate, "B:3034;B:3802-3806"),
