@@ -2112,7 +2112,7 @@ export type RunRecord = {
   /** Where the values come from. */
   about: RecordAbout,
   /** Files beside the program: lines go on there. */
-  files?: Array<RecordFile>,
+  files: Array<RecordFile>,
   /** How the run ended. */
   ending: Message,
   /** The measuring calls in their order. */

@@ -31,3 +31,4 @@ record-worth-machine = Eine Messung auf der Maschine, die das Teil gefertigt hat
 record-missing = Kein Wert
 record-why-missing = Das Protokoll enthält für diesen Aufruf keinen Wert.
 record-why-beyond = Die Abweichung überschreitet die Grenze von { $limit } { $unit }.
+record-ending-jog = Eine Sitzung von Messen in JOG. Messungen: { $count }.

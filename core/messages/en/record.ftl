@@ -31,3 +31,4 @@ record-worth-machine = A measurement on the machine that cut the part proves the
 record-missing = No value
 record-why-missing = The protocol has no value for this call.
 record-why-beyond = The deviation is beyond the limit of { $limit } { $unit }.
+record-ending-jog = A session of measuring in JOG. Measurements: { $count }.

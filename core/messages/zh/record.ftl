@@ -31,3 +31,4 @@ record-worth-machine = 在加工该零件的机床上测量，证明的是加工
 record-missing = 无数值
 record-why-missing = 测量记录中没有此调用的数值。
 record-why-beyond = 偏差超出限值 { $limit } { $unit }。
+record-ending-jog = JOG 测量的一次操作过程。测量次数：{ $count }。

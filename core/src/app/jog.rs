@@ -3,6 +3,8 @@
 use super::ahead::{JogAhead, ahead};
 use super::changes::Change;
 use super::outcome::Raised;
+use super::record::Recorder;
+use super::run::RunAnswer;
 use crate::control::{AXES, Control, Value, gud};
 use crate::geometry::Mcs;
 use crate::jog::chance::{self, Truth};
@@ -28,6 +30,9 @@ pub struct JogView {
     pub ahead: Option<JogAhead>,
     /// The machine, as the setup file has it, when all is done.
     pub setup: Setup,
+    /// What was measured, for the record.
+    #[serde(skip)]
+    pub calls: Vec<RunAnswer>,
 }
 
 /// What a line did.
@@ -126,8 +131,12 @@ pub fn jog(script: &str, setup: &Setup, seed: Option<u64>) -> Result<JogView, Jo
     let truth = seed.map(|seed| chance::put(&mut setup, seed));
     let mut session = Session::new(&setup);
     let mut done = Vec::new();
+    let begun = setup.clone();
+    let mut recorder = Recorder::new(&begun);
     for line in &lines {
+        let from = session.sim.trace.entries.len();
         let told = carry_out(&mut session, line);
+        recorder.follow(&session, &told, from);
         let ends = told.refused.is_some();
         done.push(told);
         if ends {
@@ -136,7 +145,7 @@ pub fn jog(script: &str, setup: &Setup, seed: Option<u64>) -> Result<JogView, Jo
     }
     setup.control = session.sim.control.clone();
     setup.position = session.sim.position;
-    Ok(JogView { lines: done, truth, ahead: ahead(&session), setup })
+    Ok(JogView { lines: done, truth, ahead: ahead(&session), setup, calls: recorder.calls })
 }
 
 fn carry_out(session: &mut Session, line: &Line) -> JogLine {

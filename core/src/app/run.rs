@@ -367,7 +367,7 @@ pub(super) fn answers(setup: &Setup, outcome: &Outcome) -> Vec<RunAnswer> {
 }
 
 /// The middle of the points that these steps touched.
-fn amid(entries: &[Entry]) -> Option<[f64; 3]> {
+pub(super) fn amid(entries: &[Entry]) -> Option<[f64; 3]> {
     let touched = |entry: &Entry| if let Step::Touch { point, .. } = &entry.step { Some(point.0) } else { None };
     let points: Vec<[f64; 3]> = entries.iter().filter_map(touched).collect();
     let mean = [0, 1, 2].map(|axis| points.iter().map(|point| point[axis]).sum::<f64>() / points.len() as f64);

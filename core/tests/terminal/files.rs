@@ -255,6 +255,8 @@ fn columns_of_a_protocol_are_named() {
         assert_eq!((output.status.code(), text.as_str()), (Some(2), "before"), "{}", out(&output));
         assert!(err(&output).contains(told), "{}", err(&output));
     }
+    let (output, _) = measured("binary", "\0\u{1}\u{2}\0\0", &[]);
+    assert!(err(&output).contains("contains no text"), "{}", err(&output));
     let (output, _) = measured("nothing", "no numbers at all\n", &[]);
     assert_eq!(output.status.code(), Some(1), "nothing of it fits");
 }

@@ -43,6 +43,20 @@ fn a_session_prints_points_results_and_offsets() {
     assert!(told.ends_with("Active: G54\nThe mask Set edge is open.\n"), "{told}");
 }
 
+// oracle: hand: what the session printed, a row for each result, with what was written
+#[test]
+fn a_session_has_a_record() {
+    let record = file("corner.csv", b"");
+    let (_, output) = jog("recorded.jog", CORNER, &["--record", &record]);
+    assert!(output.status.success(), "{}", err(&output));
+    let text = std::fs::read_to_string(&record).unwrap();
+    let rows: Vec<Vec<&str>> = text.lines().skip(1).map(|line| line.split(',').collect()).collect();
+    assert!(rows.iter().any(|row| row[1] == "11" && row[4] == "Measured X0" && row[8] == "0"), "{text}");
+    assert!(rows.iter().any(|row| row[1] == "18" && row[4] == "Measured Z0" && row[8] == "-5"), "{text}");
+    assert!(rows.iter().all(|row| row[12] == "Measured" && row[14] == "workpiece probe 1"), "{text}");
+    assert!(rows[0][13..].join(",").contains("G54 X -10"), "{text}");
+}
+
 // oracle: hand (docs/setup.example.json: a hole of 132.03 mm at X 180, Y 130, its upper face at Z 30)
 #[test]
 fn the_example_in_docs_sets_the_hole() {

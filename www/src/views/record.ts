@@ -11,8 +11,8 @@ export type RecordShown = Pick<RunView, "about" | "answers" | "ending" | "files"
 
 /** `program`: name of the file. */
 export function recordOf({ about, answers, ending, files }: RecordShown, program: string): RunRecord {
-  const beside = files?.map(({ name, line }) => ({ name, line }));
-  return { format: FORMAT, program, about, ...(beside?.length && { files: beside }), ending, calls: answers };
+  const beside = (files ?? []).map(({ name, line }) => ({ name, line }));
+  return { format: FORMAT, program, about, files: beside, ending, calls: answers };
 }
 
 const isMessage = (value: object): value is Message => "key" in value && "args" in value;

@@ -45,7 +45,7 @@ struct Place {
 const SMALLEST: f64 = 1e-9;
 
 /// What the steps of a call corrected.
-pub(super) fn corrected(entries: &[Entry], control: &Control) -> Vec<Correction> {
+pub fn corrected(entries: &[Entry], control: &Control) -> Vec<Correction> {
     let mut all: Vec<(Message, Vec<(Part, bool)>)> = Vec::new();
     for (name, by) in changes(entries) {
         let Some(place) = place(control, name) else { continue };

@@ -7,6 +7,7 @@ mod measured;
 #[cfg(test)]
 mod tests;
 
+pub(super) use corrected::corrected;
 pub use corrected::{Correction, Part};
 pub use figures::Figure;
 pub use gauge::{Band, BandKind, Gauge, Limited, Mark, Needle};
@@ -72,7 +73,7 @@ pub enum Verdict {
 }
 
 impl Verdict {
-    fn key(self) -> &'static str {
+    pub(super) fn key(self) -> &'static str {
         match self {
             Verdict::Within => "answer-within",
             Verdict::Beyond => "answer-beyond",

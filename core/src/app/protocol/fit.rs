@@ -23,6 +23,8 @@ pub struct Quantity {
 
 /// Farthest that an actual value without a difference beside it is from its setpoint, mm or degree.
 const NEAR: f64 = 5.0;
+/// Figures of a line that are compared with each other, the first ones.
+const FIGURES: usize = 40;
 /// Farthest that a quantity is looked for of which neither call nor setpoint is known.
 const AHEAD: usize = 1000;
 /// Setpoints that agree in so many parts of a unit stand beside each other.
@@ -91,7 +93,8 @@ impl<'a> Fit<'a> {
         if let Some(heading) = self.heading(line) {
             return heading;
         }
-        let figures: Vec<Figure> = line.fields.iter().filter_map(|field| Figure::of(field)).collect();
+        let figures = line.fields.iter().filter_map(|field| Figure::of(field)).take(FIGURES);
+        let figures: Vec<Figure> = figures.collect();
         if figures.len() < 2 {
             return Err(Message::new("protocol-no-value"));
         }

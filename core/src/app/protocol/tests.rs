@@ -159,6 +159,14 @@ fn no_line_is_dropped() {
     assert_eq!(told, ["protocol-no-heading", "protocol-no-call", "protocol-no-value"]);
 }
 
+// oracle: hand: it comes to its end
+#[test]
+fn a_line_may_be_as_long_as_it_likes() {
+    let view = onto_nominal(&format!("{}\n50;50.02;0.02\n", "77;".repeat(200_000)), None).unwrap();
+    assert_eq!((view.fitted, view.unfit.len()), (1, 1));
+    assert!(view.unfit[0].text.len() < 1000);
+}
+
 // oracle: hand
 #[test]
 fn a_protocol_with_nothing_to_read_is_refused() {

@@ -1,17 +1,20 @@
 //! The record of a run: every measurement with its limits, the probe and what came of it. Its schema is
 //! `docs/record.schema.json`.
 
+mod of_jog;
 mod probes;
 mod table;
 #[cfg(test)]
 mod tests;
 
+pub(super) use of_jog::Recorder;
 pub use probes::{CalibrationState, ProbeOfCall};
 pub(super) use probes::{Probes, of_machine, probe_of};
 pub use table::csv;
 
+use super::jog::JogView;
 use super::protocol::ProtocolView;
-use super::run::{RunAnswer, answers};
+use super::run::{RunAnswer, amid, answers};
 use crate::dialect::Dialect;
 use crate::machine::Setup;
 use crate::message::Message;
@@ -34,8 +37,6 @@ pub struct Record {
     /// Where the values come from.
     pub about: RecordAbout,
     /// Files beside the program: lines go on there.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    #[cfg_attr(test, ts(optional, as = "Option<Vec<RecordFile>>"))]
     pub files: Vec<RecordFile>,
     /// How the run ended.
     pub ending: Message,
@@ -102,6 +103,14 @@ impl Record {
         });
         let (about, calls) = (RecordAbout::new(setup), answers(setup, outcome));
         Record { format: FORMAT, program, about, files, ending, calls }
+    }
+
+    /// Of a session of measuring in JOG: its script in the file of this name. `setup`: the machine before it.
+    pub fn of_jog(script: String, setup: &Setup, view: JogView) -> Record {
+        let count = view.calls.len() as f64;
+        let ending = Message::new("record-ending-jog").number("count", count);
+        let about = RecordAbout::new(setup);
+        Record { format: FORMAT, program: script, about, files: Vec::new(), ending, calls: view.calls }
     }
 
     /// Of the values that a protocol of a real machine has for the calls of a program.

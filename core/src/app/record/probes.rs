@@ -97,7 +97,19 @@ impl<'a> Probes<'a> {
             Some(number) if tool => number as i64,
             _ => used.field,
         };
-        let calibrates = inputs.cycle.purpose.calibrates.holds(inputs);
+        self.next(used, (tool, number), inputs.cycle.purpose.calibrates.holds(inputs), line, ended)
+    }
+
+    /// The probe of the next measurement: whether it is a tool probe, and its number. `calibrates`: whether that is
+    /// what the measurement does.
+    pub fn next(
+        &mut self,
+        used: ProbeInCall,
+        (tool, number): (bool, i64),
+        calibrates: bool,
+        line: Option<u32>,
+        ended: bool,
+    ) -> ProbeOfCall {
         let before = self.calibrated.get(&(tool, number)).copied();
         let (state, of) = match before {
             _ if calibrates => (CalibrationState::Calibrates, None),

@@ -112,3 +112,53 @@ fn a_call_without_a_result_has_a_line() {
     let last = text.trim_end().rsplit("\r\n").next().unwrap();
     assert!(last.starts_with("1,6,CYCLE977,") && last.contains(&call.alarms[0]), "{text}");
 }
+
+/// What of a document is not as its schema says; `at`: the place.
+#[cfg(feature = "cli")]
+fn wrong(at: &str, value: &serde_json::Value, schema: &serde_json::Value, root: &serde_json::Value) -> Vec<String> {
+    if let Some(name) = schema["$ref"].as_str().and_then(|path| path.strip_prefix("#/$defs/")) {
+        return wrong(at, value, &root["$defs"][name], root);
+    }
+    if let Some(any) = schema["anyOf"].as_array() {
+        let fits = any.iter().any(|one| wrong(at, value, one, root).is_empty());
+        return if fits { Vec::new() } else { vec![format!("{at}: none of them")] };
+    }
+    let sort = match value {
+        serde_json::Value::Null => "null",
+        serde_json::Value::Bool(_) => "boolean",
+        serde_json::Value::Number(number) if number.is_f64() => "number",
+        serde_json::Value::Number(_) => "integer",
+        serde_json::Value::String(_) => "string",
+        serde_json::Value::Array(_) => "array",
+        serde_json::Value::Object(_) => "object",
+    };
+    let types = schema["type"].as_array().cloned().unwrap_or_else(|| vec![schema["type"].clone()]);
+    let known = types.iter().any(|one| one.is_null() || one == sort || one == "number" && sort == "integer");
+    let mut found = if known { Vec::new() } else { vec![format!("{at}: {sort}")] };
+    for name in schema["required"].as_array().into_iter().flatten().filter_map(|name| name.as_str()) {
+        found.extend(value.get(name).is_none().then(|| format!("{at}: no {name}")));
+    }
+    for (name, one) in value.as_object().into_iter().flatten() {
+        match &schema["properties"][name] {
+            serde_json::Value::Null if schema["properties"].is_object() => found.push(format!("{at}: {name}?")),
+            own => found.extend(wrong(&format!("{at}.{name}"), one, own, root)),
+        }
+    }
+    let elements = value.as_array().into_iter().flatten();
+    found.extend(elements.flat_map(|one| wrong(&format!("{at}[]"), one, &schema["items"], root)));
+    found
+}
+
+// oracle: self: the document is what the schema in docs says, nothing more and nothing less
+#[cfg(feature = "cli")]
+#[test]
+fn the_document_is_as_its_schema_says() {
+    let schema = crate::setup_file::schema::<Record>();
+    let crash = |setup: &mut Setup| setup.workpiece = crate::workpiece::Workpiece::default();
+    for record in [record(MEASURE, 0.055, |_| {}), record(MEASURE, 0.3, |_| {}), record(MEASURE, 0.0, crash)] {
+        let document = crate::json::document(&record);
+        assert_eq!(wrong("record", &document, &schema, &schema), Vec::<String>::new());
+    }
+    let without = serde_json::json!({ "format": "1" });
+    assert!(wrong("record", &without, &schema, &schema).len() > 3, "what is wrong is found");
+}

@@ -2,7 +2,8 @@
 
 use crate::file;
 use crate::file::Problem;
-use probewright_core::app::{self, Change, JogAhead, JogLine, JogResult, JogView, JogWrong, Raised};
+use crate::record;
+use probewright_core::app::{self, Change, JogAhead, JogLine, JogResult, JogView, JogWrong, Raised, Record};
 use probewright_core::control::{AXES, Control, OLDER_JOG, delivery};
 use probewright_core::dialect::Dialect;
 use probewright_core::jog::mask::{Field, Mask, key};
@@ -33,6 +34,8 @@ pub struct Arguments {
     as_program: bool,
     #[arg(long)]
     json: bool,
+    #[arg(long, value_name = "FILE")]
+    record: Option<PathBuf>,
 }
 
 /// Carries out a script; 1 when a line is refused or an alarm is raised.
@@ -41,6 +44,7 @@ pub fn jog(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Result<
         list(words, out)?;
         return Ok(ExitCode::SUCCESS);
     };
+    let record = arguments.record.as_deref().map(record::File::of).transpose()?;
     let setup = file::setup(setup, arguments.json, words, out)?;
     if arguments.as_program {
         return program(script, &setup, arguments, words, out);
@@ -54,6 +58,10 @@ pub fn jog(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Result<
         if arguments.what_if {
             told_ahead(view.ahead.as_ref(), words).iter().try_for_each(|line| writeln!(out, "{line}"))?;
         }
+    }
+    if let Some(record) = record {
+        let name = script.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+        record.write(&Record::of_jog(name, &setup, view), words)?;
     }
     Ok(if failed { ExitCode::FAILURE } else { ExitCode::SUCCESS })
 }

@@ -40,7 +40,9 @@ impl Named {
     /// Reads the protocol, whatever it is written in.
     pub fn read(&self) -> Result<Option<Protocol>, Problem> {
         let Some(path) = &self.measured else { return Ok(None) };
-        let text = String::from_utf8_lossy(&file::program(path)?).into_owned();
+        file::bytes(path)?; // whether it can be read at all
+        let no_text = |_| file::wrong_file(path, Message::new("protocol-no-text"));
+        let text = String::from_utf8_lossy(&file::program(path).map_err(no_text)?).into_owned();
         let mut columns = ProtocolColumns::default();
         for text in &self.columns {
             let wrong = || file::wrong(Message::new("terminal-column").text("text", printable(text)));
