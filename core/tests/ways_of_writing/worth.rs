@@ -40,7 +40,13 @@ fn asked(control: Dialect, cycle: &str, values: Typed, predict: bool) -> FormReq
 /// What does not say how a value is written.
 fn without_text(view: FormView) -> FormView {
     let fields = view.fields.into_iter().map(|field| Field { expression: None, written: None, ..field }).collect();
-    FormView { fields, snippet: String::new(), snippet_places: None, snippet_findings: Vec::new(), ..view }
+    FormView {
+        fields,
+        snippet: String::new(),
+        snippet_places: Default::default(),
+        snippet_findings: Vec::new(),
+        ..view
+    }
 }
 
 fn same(one: &FormView, other: &FormView, of: &str) {
