@@ -417,9 +417,9 @@ async function scan(page) {
   row("its three texts, s", [texts.toFixed(1)]);
 }
 
-// The first form is all that the page has asked for until the form is painted. But for the core, which the form does not
-// wait for: it begins to come while the form is made, and counts as its own part. What is asked for later, by name of
-// the part, its files.
+// The first form is all that the page has asked for until the form is painted. But for the core, which the form does
+// not wait for: it begins to come while the form is made, and counts as its own part. What is asked for later, by name
+// of the part, its files.
 const FIRST = "first form";
 const WITHOUT = /\/core_bg-/;
 const LATER = "later: types, start screen, icons";

@@ -59,6 +59,14 @@ describe("an edge", () => {
     await start(page).click();
     await page.locator(".jog-activation").waitFor({ state: "detached" });
     assert.equal(await page.locator(".jog-positions thead th").nth(1).textContent(), "G54");
+    await page.locator(".jog-record summary").click();
+    assert.match(await page.locator(".jog-measured").textContent(), /Edge|edge/);
+    const [table] = await Promise.all([
+      page.waitForEvent("download"),
+      page.locator(".jog-record").getByRole("button", { name: "CSV" }).click(),
+    ]);
+    assert.match((await (await table.createReadStream()).toArray()).join(""), /G54 X 11\.5 mm/);
+    await page.locator(".jog-record summary").click();
     const [saved] = await Promise.all([
       page.waitForEvent("download"),
       page.getByRole("button", { name: "Save script" }).click(),

@@ -51,7 +51,7 @@ async function pictured(page, { piece, lines }) {
   await page.locator(".jog-start").waitFor();
   return page.evaluate(
     async ([count, first]) => {
-      const pause = () => new Promise(resolve => setTimeout(resolve, 30));
+      const pause = () => new Promise(resolve => setTimeout(resolve, 250)); // the picture before stands
       const frame = () => new Promise(resolve => requestAnimationFrame(() => resolve(performance.now())));
       const times = [];
       for (let n = 0; n < count; n++) {

@@ -278,6 +278,15 @@ pub fn practise(request: &str) -> Result<Answer, JsError> {
     Ok(Answer { view: json::text(&view), seen: Some(seen) })
 }
 
+/// `PracticeRequest` → `RunRecord`: what the session measured; its script is in the file of this name.
+///
+/// # Errors
+/// As of a session.
+#[wasm_bindgen]
+pub fn practice_record(request: &str, script: &str) -> Result<String, JsError> {
+    Ok(json::answer(request, |asked| app::practice_record(asked, script))?)
+}
+
 /// Carries out a scenario file, with the files that it names (`Beside[]`) → `ScenarioView`.
 ///
 /// # Errors

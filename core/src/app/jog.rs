@@ -129,11 +129,15 @@ pub fn jog(script: &str, setup: &Setup, seed: Option<u64>) -> Result<JogView, Jo
     }
     let mut setup = setup.clone();
     let truth = seed.map(|seed| chance::put(&mut setup, seed));
-    let mut session = Session::new(&setup);
+    Ok(JogView { truth, ..all(&lines, &setup) })
+}
+
+/// Carries out these lines on a machine whose part lies.
+pub(super) fn all(lines: &[Line], begun: &Setup) -> JogView {
+    let mut session = Session::new(begun);
     let mut done = Vec::new();
-    let begun = setup.clone();
-    let mut recorder = Recorder::new(&begun);
-    for line in &lines {
+    let mut recorder = Recorder::new(begun);
+    for line in lines {
         let from = session.sim.trace.entries.len();
         let told = carry_out(&mut session, line);
         recorder.follow(&session, &told, from);
@@ -143,9 +147,9 @@ pub fn jog(script: &str, setup: &Setup, seed: Option<u64>) -> Result<JogView, Jo
             break;
         }
     }
-    setup.control = session.sim.control.clone();
-    setup.position = session.sim.position;
-    Ok(JogView { lines: done, truth, ahead: ahead(&session), setup, calls: recorder.calls })
+    let (control, position) = (session.sim.control.clone(), session.sim.position);
+    let setup = Setup { control, position, ..begun.clone() };
+    JogView { lines: done, truth: None, ahead: ahead(&session), setup, calls: recorder.calls }
 }
 
 fn carry_out(session: &mut Session, line: &Line) -> JogLine {

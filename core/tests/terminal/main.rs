@@ -32,7 +32,10 @@ fn file(name: &str, text: &[u8]) -> String {
     let folder = std::env::temp_dir().join(format!("probewright-{}", std::process::id()));
     std::fs::create_dir_all(&folder).unwrap();
     let path = folder.join(name);
-    std::fs::write(&path, text).unwrap();
+    // whole at once: another test may be reading the file of that name
+    let new = folder.join(format!("{name}-{:?}", std::thread::current().id()));
+    std::fs::write(&new, text).unwrap();
+    std::fs::rename(&new, &path).unwrap();
     path.to_str().unwrap().to_owned()
 }
 

@@ -29,6 +29,7 @@ import type {
   ReadRequest,
   ReadView,
   Recognised,
+  RunRecord,
   RunRequest,
   Setup,
   Story,
@@ -93,6 +94,8 @@ export interface ProgramCore extends FormCore {
   equip(request: EquipRequest): EquipView;
   story(request: FormRequest): Story;
   practise(request: PracticeRequest): Practised;
+  /** What the session of a script in the file of this name has measured. */
+  practiceRecord(request: PracticeRequest, script: string): RunRecord;
   /** How the probe gets in front of a face. */
   approach(request: PracticeFace): PracticeApproach;
   /** What the mask that is open means as a program. */
@@ -256,6 +259,8 @@ export async function loadProgramCore(): Promise<ProgramCore> {
     module,
     simulates: "yes",
     practise: practised,
+    practiceRecord: (request, script) =>
+      JSON.parse(call("practice_record", () => wasm.practice_record(JSON.stringify(request), script))) as RunRecord,
     approach: request => JSON.parse(call("approach", () => wasm.approach(JSON.stringify(request)))) as PracticeApproach,
     asProgram: request =>
       JSON.parse(call("as_program", () => wasm.as_program(JSON.stringify(request)))) as PracticeProgram,

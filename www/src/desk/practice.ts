@@ -5,7 +5,7 @@ import type { ProgramCore } from "../core/program";
 import { parseNumber, plain } from "../numbers";
 import { AS_SET_UP, type JogState, profile, type State } from "../state/state";
 import type { Store } from "../state/store";
-import type { PracticeCallRequest, PracticeChoice, PracticeRequest, Vec3 } from "../wire";
+import type { PracticeCallRequest, PracticeChoice, PracticeRequest, RunRecord, Vec3 } from "../wire";
 
 export interface Practice {
   /** Asks what is on the screen, unless that is known. */
@@ -18,6 +18,8 @@ export interface Practice {
   face(at: Vec3, normal: Vec3): void;
   /** Opens a mask, on the piece for it. */
   open(mask: PracticeChoice): void;
+  /** All that was measured. */
+  record(): RunRecord | null;
   undo(): void;
   /** The machine as it was before the first line. */
   restart(): void;
@@ -47,6 +49,9 @@ const BY = /^jog ([XYZ])(-?[\d.]+)$/;
 /** What the first lines of a kept script say of the part. */
 const LAID = /^; part (seed=(?<seed>\d+)|x=(?<x>\S+) y=(?<y>\S+) z=(?<z>\S+) tilt=(?<tilt>\S+) size=(?<size>\S+))$/m;
 const PIECE = /^; piece (?<piece>[a-z]+)$/m;
+
+/** The file of a script. */
+export const FILE = "practice.jog";
 
 /** A script with what it begins with, as `probewright jog` reads it. */
 export function scriptOf({ lines, seed, part, seen }: JogState): string {
@@ -135,6 +140,7 @@ export function createPractice(store: Store, core: () => ProgramCore | null): Pr
       const first = here ? lines : beginning(store.state.jog);
       carryOut({ lines: [...first, `mask ${name}`], ...(here ? {} : { piece }) });
     },
+    record: () => core()?.practiceRecord(requestOf(store.state.jog), FILE) ?? null,
     undo: () => carryOut({ lines: store.state.jog.lines.slice(0, -1) }),
     restart: () => carryOut({ lines: beginning(store.state.jog), seed: store.state.jog.seed }),
     lay(part) {

@@ -9,6 +9,7 @@ import { t } from "../texts";
 import { unlessTyping } from "../unless-typing";
 import type { PracticeView } from "../wire";
 import { figureText } from "./figures";
+import { createRecord } from "./record";
 
 type Slid = "dx" | "dy" | "dz" | "tilt" | "size";
 /** How far each can be set, its step and unit. */
@@ -22,6 +23,7 @@ const SLIDERS: readonly { name: Slid; reach: number; step: number; unit: "mm" | 
 const SEEDS = 1_000_000;
 
 export function createPart(root: HTMLElement, practice: Practice): (state: State) => void {
+  const record = createRecord(practice);
   const slider = (jog: JogState, { name, reach, step, unit }: (typeof SLIDERS)[number]): TemplateResult => {
     const value = jog.seed === null ? jog.part[name] : 0;
     const id = `jog-part-${name}`;
@@ -107,6 +109,7 @@ export function createPart(root: HTMLElement, practice: Practice): (state: State
               `
         }
         <p class="jog-quiet">${t("practice-part-help")}</p>
+        ${record(jog)}
       `,
       root,
     );

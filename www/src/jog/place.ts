@@ -1,7 +1,7 @@
 // The machine to practise on: functions and mask, the stage, the machine under the hand, how the part lies.
 
 import { html, nothing, render, type TemplateResult } from "lit-html";
-import { type Practice, scriptOf } from "../desk/practice";
+import { FILE, type Practice, scriptOf } from "../desk/practice";
 import { el, on } from "../dom";
 import { iconPart } from "../icons";
 import { ariaKey, meantBy } from "../keys";
@@ -93,7 +93,7 @@ export function createPlace(
         <div class="jog-actions">
           ${action("practice-undo", "undo", practice.undo, jog.lines.length === 0)}
           ${action("practice-restart", "first", practice.restart, jog.lines.length === 0)}
-          ${action("practice-save", "save", () => saveFile(scriptOf(jog), "practice.jog"))}
+          ${action("practice-save", "save", () => saveFile(scriptOf(jog), FILE))}
           ${action("practice-open-script", "open", () => file.click())}
           ${
             jog.seen

@@ -214,17 +214,20 @@ export function createBench(parts: Parts): Bench {
     ),
     start.drawButton,
     coach.draw,
-    createTasks(panels.tasks, store, actions, found),
-    (state: State, derived: Derived): void => later()?.drawChain(state, derived),
     createScene(scene, store, program.goToLine, stage),
-    (state: State, derived: Derived): void => later()?.drawResults(state, derived),
-    createSliders(sliders, errors, store, actions),
-    (state: State, derived: Derived): void => later()?.drawHelp(state, derived),
     (state: State, derived: Derived): void => later()?.drawDifference(state, derived),
     (state: State): void => later()?.equipment.draw(state),
     sets.draw,
     card.draw,
     continuing.draw,
+  ];
+  /** What the machine to practise on hides. */
+  const atWork = [
+    createTasks(panels.tasks, store, actions, found),
+    (state: State, derived: Derived): void => later()?.drawChain(state, derived),
+    (state: State, derived: Derived): void => later()?.drawResults(state, derived),
+    createSliders(sliders, errors, store, actions),
+    (state: State, derived: Derived): void => later()?.drawHelp(state, derived),
     program.draw, // last: the editor asks for the selection, and that lays out the page
   ];
   scene.append(motions.root);
@@ -235,9 +238,10 @@ export function createBench(parts: Parts): Bench {
       shown = { state, derived };
       layout.draw(state);
       start.draw(state, derived);
-      drawForm(state, derived);
+      const work = state.page.place !== "jog";
+      if (work) drawForm(state, derived);
       return () => {
-        for (const view of views) view(state, derived);
+        for (const view of work ? [...views, ...atWork] : views) view(state, derived);
         practice.draw(state, derived);
         for (const part of [...Object.values(activities), ...refusals, newer]) part.draw(state);
         setText(layout.notice, state.page.notice ? t(state.page.notice) : "");

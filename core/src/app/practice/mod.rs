@@ -14,9 +14,10 @@ pub use view::{
 use super::Error;
 use super::ahead::{ahead, hidden};
 use super::changes::Change;
-use super::jog::{act, changed, note};
+use super::jog::{act, all, changed, note};
 use super::outcome::Raised;
 use super::predict::PartSliders;
+use super::record::Record;
 use super::start::{Machine, start};
 use crate::control::Store;
 use crate::dialect::Dialect;
@@ -56,15 +57,32 @@ pub fn approach(asked: PracticeFace) -> Result<PracticeApproach, Error> {
     })
 }
 
-/// A session as far as its lines can be carried out, and why not all of them.
-fn carried_out(asked: PracticeRequest) -> Result<(Stands, Course, Option<PracticeRefusal>), Error> {
+/// The record of a session as far as its lines can be carried out; `script`: name of the file.
+///
+/// # Errors
+/// As of a session.
+pub fn practice_record(asked: PracticeRequest, script: &str) -> Result<Record, Error> {
+    let (lines, _) = legible(&asked.script);
+    let (Stands { mut setup, .. }, truth) = begun(asked)?;
+    truth.put(&mut setup);
+    Ok(Record::of_jog(script.to_owned(), &setup, all(&lines, &setup)))
+}
+
+/// The machine of a session, and how its part lies.
+fn begun(asked: PracticeRequest) -> Result<(Stands, Truth), Error> {
     if !measures(asked.control) {
         return Err(Error::new("jog-no-jog", Path::of(&["control"])));
     }
-    let mut stands = Stands::new(asked.control, asked.setup, asked.piece)?;
+    let stands = Stands::new(asked.control, asked.setup, asked.piece)?;
     let truth = asked.seed.map_or_else(|| placed(asked.part, &stands.setup), |seed| Truth::by(seed.into()));
-    let mut course = Course::new(&mut stands.setup, truth);
+    Ok((stands, truth))
+}
+
+/// A session as far as its lines can be carried out, and why not all of them.
+fn carried_out(asked: PracticeRequest) -> Result<(Stands, Course, Option<PracticeRefusal>), Error> {
     let (lines, wrong) = legible(&asked.script);
+    let (mut stands, truth) = begun(asked)?;
+    let mut course = Course::new(&mut stands.setup, truth);
     let mut refused = wrong.map(|Wrong { line, message, hint }| PracticeRefusal { line, message, hint: Some(hint) });
     for line in &lines {
         if let Err(message) = course.carry_out(line) {

@@ -3,8 +3,9 @@
 
 use super::table::COLUMNS;
 use super::*;
-use crate::app::Verdict;
+use crate::app::{self, Verdict};
 use crate::control::Plane;
+use crate::json;
 use crate::run::{Limits, Session};
 use crate::syntax;
 
@@ -161,4 +162,17 @@ fn the_document_is_as_its_schema_says() {
     }
     let without = serde_json::json!({ "format": "1" });
     assert!(wrong("record", &without, &schema, &schema).len() > 3, "what is wrong is found");
+}
+
+// oracle: self (a session in the page is that of the terminal, where the part lies the same)
+#[test]
+fn a_session_has_the_same_record_in_page_and_terminal() {
+    let script = "mask set_edge\nzo = G54\nx0 = 10\njog Z-40\njog X20\nstart\n";
+    let request = r#"{ "control": "sinumerik", "script": "", "seed": 7 }"#;
+    let asked = app::PracticeRequest { script: script.to_owned(), ..json::question(request).unwrap() };
+    let page = app::practice_record(asked, "edge.jog").unwrap();
+    let setup = crate::jog::practice::machine(Default::default());
+    let view = app::jog(script, &setup, Some(7)).unwrap();
+    assert!(page.calls.iter().any(|call| !call.answer.figures.is_empty()), "{page:?}");
+    assert_eq!(page, Record::of_jog("edge.jog".to_owned(), &setup, view));
 }
