@@ -57,7 +57,7 @@ describe("before the core has come", () => {
     const core = held();
     const { context, page } = await visit(chrome, core.hold);
     await page.locator('[id="field-_SETVAL"]').fill("-1");
-    await page.locator(".answer-line b").waitFor({ state: "detached" });
+    await page.waitForFunction(() => !document.querySelector(".answer-line b"));
     assert.equal(await page.locator(".problem", { hasText: "_SETVAL" }).count(), 0);
     assert.doesNotMatch(await page.locator(".panel-form").innerText(), /_SETVAL=/);
     core.release();
