@@ -41,6 +41,16 @@ const lines = text => text.split(/\r\n|\r|\n/);
 /** What an editor that takes CR LF, CR and LF as one character each makes of an offset. */
 const shown = (text, offset) => text.slice(0, offset).replaceAll("\r\n", "\n").length;
 
+/** That an edit makes one text the other, in the program as in an editor that has lines. */
+function turns(before, after, edit) {
+  if (before === after) return assert.equal(edit, null);
+  const told = JSON.stringify({ before, after, edit });
+  assert.equal(before.slice(0, edit.from) + edit.insert + before.slice(edit.to), after, told);
+  const [from, to] = [shown(before, edit.from), shown(before, edit.to)];
+  const [inEditor, wanted] = [lines(before).join("\n"), lines(after).join("\n")];
+  assert.equal(inEditor.slice(0, from) + lines(edit.insert).join("\n") + inEditor.slice(to), wanted, told);
+}
+
 // oracle: self (the definition, without a memory of earlier texts)
 test("offsets in program and editor, and lines, stay right over any edits", () => {
   for (let seed = 1; seed <= 300; seed++) {
@@ -54,6 +64,8 @@ test("offsets in program and editor, and lines, stay right over any edits", () =
       const back = { from, to: from + insert.length, insert: text.slice(from, to) };
       const changed = eol.splice(text, [{ from, to, insert }]);
       assert.equal(changed, text.slice(0, from) + insert + text.slice(to));
+      turns(text, changed, difference(text, changed)); // both remember how one was made of the other
+      turns(changed, text, difference(changed, text));
       assert.equal(eol.splice(changed, [back]), text);
       text = eol.splice(text, [{ from, to, insert }]);
       for (let at = 0; at <= text.length; at++) {
@@ -86,18 +98,7 @@ test("the difference of two programs makes one the other, and parts no CR LF", (
     const at = next(before.length + 1);
     const after = next(4) ? before.slice(0, at) + some(next, 2) + before.slice(at + next(4)) : some(next, 10);
     const edit = difference(before, after);
-    if (before === after) {
-      assert.equal(edit, null);
-      continue;
-    }
-    assert.equal(eol.splice(before, [edit]), after);
-    const [from, to] = [shown(before, edit.from), shown(before, edit.to)];
-    const [inEditor, wanted] = [lines(before).join("\n"), lines(after).join("\n")];
-    assert.equal(
-      inEditor.slice(0, from) + lines(edit.insert).join("\n") + inEditor.slice(to),
-      wanted,
-      JSON.stringify({ before, after, edit }),
-    );
+    turns(before, after, edit);
   }
 });
 

@@ -1,6 +1,6 @@
 // What differs between two states of a program, in time that a program of a million lines leaves for it.
 
-import type { Splice } from "./eol";
+import { madeBy, type Splice } from "./eol";
 
 const STRIDE = 16_384; // characters compared at once
 
@@ -22,12 +22,27 @@ function commonEnd(a: string, b: string, most: number): number {
   return count;
 }
 
-/** The smallest replacement that turns `before` into `after` and parts no CR LF; null: they are the same. */
+/**
+ * A replacement that turns `before` into `after` and parts no CR LF, the smallest one unless the edit is known between
+ * them; null: they are the same.
+ */
 export function difference(before: string, after: string): Splice | null {
   if (before === after) return null;
-  let start = commonStart(before, after);
-  let end = commonEnd(before, after, Math.min(before.length, after.length) - start);
-  if (start > 0 && before[start - 1] === "\r") start--;
-  if (end > 0 && before[before.length - end] === "\n") end--;
+  const made = madeBy(before, after);
+  const edit = made ? within(before, made) : smallest(before, after);
+  const from = edit.from - (edit.from > 0 && before[edit.from - 1] === "\r" ? 1 : 0);
+  const to = edit.to + (edit.to < before.length && before[edit.to] === "\n" ? 1 : 0);
+  return { from, to, insert: before.slice(from, edit.from) + edit.insert + before.slice(edit.to, to) };
+}
+
+function smallest(before: string, after: string): Splice {
+  const start = commonStart(before, after);
+  const end = commonEnd(before, after, Math.min(before.length, after.length) - start);
   return { from: start, to: before.length - end, insert: after.slice(start, after.length - end) };
+}
+
+/** An edit of this text without what it leaves as it is. */
+function within(text: string, { from, to, insert }: Splice): Splice {
+  const edit = smallest(text.slice(from, to), insert);
+  return { ...edit, from: from + edit.from, to: from + edit.to };
 }

@@ -76,8 +76,7 @@ function joined(parts: readonly Int32Array[]): Int32Array<ArrayBuffer> {
  * The pairs after one edit: only around it is the text looked at again, so that a keystroke in a long program stays
  * cheap.
  */
-function pairsAfter(before: Int32Array, edit: Splice, text: string): Int32Array {
-  const from = Math.max(0, edit.from - 1); // the CR before the edit can lose or find its LF
+function pairsAfter(before: Int32Array, edit: Splice, { from, after }: Around): Int32Array {
   const end = edit.from + edit.insert.length;
   const head = before.subarray(
     0,
@@ -85,7 +84,8 @@ function pairsAfter(before: Int32Array, edit: Splice, text: string): Int32Array 
   );
   const tail = before.subarray(countBelow(before, pair => pair < edit.to));
   const shift = end - edit.to;
-  return joined([head, found(text, from, end), shift ? tail.map(pair => pair + shift) : tail]);
+  const here = found(after, 0, end - from).map(pair => pair + from);
+  return joined([head, here, shift ? tail.map(pair => pair + shift) : tail]);
 }
 
 function countBelow(sorted: Int32Array, limit: (pair: number, index: number) => boolean): number {
@@ -142,14 +142,42 @@ function spliced(one: Known, edit: Splice): string {
   const { text, before } = one;
   const again = before && isSame(before.edit, edit);
   const result = again ? before.text : text.slice(0, edit.from) + edit.insert + text.slice(edit.to);
-  const back = { from: edit.from, to: edit.from + edit.insert.length, insert: text.slice(edit.from, edit.to) };
-  const counted = one.counted?.flatMap(known => countedAfter(known, edit, text, result));
-  remember({ text: result, pairs: pairsAfter(one.pairs, edit, result), counted, before: { text, edit: back } }, text);
+  const around = aroundOf(text, edit);
+  const counted = one.counted?.flatMap(known => countedAfter(known, edit, around));
+  const pairs = pairsAfter(one.pairs, edit, around);
+  remember({ text: result, pairs, counted, before: { text, edit: reversed(text, edit) } }, text);
   return result;
 }
 
 const isSame = (one: Splice, other: Splice): boolean =>
   one.from === other.from && one.to === other.to && one.insert === other.insert;
+
+/** What takes an edit of this text back. */
+const reversed = (text: string, { from, to, insert }: Splice): Splice => ({
+  from,
+  to: from + insert.length,
+  insert: text.slice(from, to),
+});
+
+/** The edit that has made one of two texts of the other, where that is known. */
+export function madeBy(before: string, after: string): Splice | null {
+  const [old, made] = [before, after].map(text => lately.find(one => one.text === text)?.before);
+  if (made?.text === before) return reversed(after, made.edit);
+  return old?.text === after ? old.edit : null;
+}
+
+/** What an edit changes with a character before and after it, as it was and as it is; where that begins. */
+interface Around {
+  from: number;
+  before: string;
+  after: string;
+}
+
+function aroundOf(text: string, edit: Splice): Around {
+  const from = Math.max(0, edit.from - 1); // the CR before the edit can lose or find its LF
+  const [head, tail] = [text.slice(from, edit.from), text.slice(edit.to, edit.to + 1)];
+  return { from, before: text.slice(from, edit.to + 1), after: head + edit.insert + tail };
+}
 
 /** Line breaks that end from `from` on and before `to`: LF, CR LF, or a CR alone. */
 function breaksIn(text: string, from: number, to: number): number {
@@ -174,12 +202,11 @@ function count(text: string, counted: Counted[], end: number): Counted[] {
 }
 
 /** What is still known after one edit; a CR right before it may have become a break, or none. */
-function countedAfter({ at, breaks }: Counted, edit: Splice, before: string, text: string): Counted[] {
-  const from = Math.max(0, edit.from - 1);
+function countedAfter({ at, breaks }: Counted, edit: Splice, { from, before, after }: Around): Counted[] {
   if (at <= from) return [{ at, breaks }];
   if (at < edit.to) return [];
   const end = edit.from + edit.insert.length;
-  const more = breaksIn(text, from, end) - breaksIn(before, from, edit.to);
+  const more = breaksIn(after, 0, end - from) - breaksIn(before, 0, edit.to - from);
   return [{ at: at + end - edit.to, breaks: breaks + more }];
 }
 
