@@ -15,13 +15,13 @@ interface Counted {
 
 /**
  * `pairs`: offsets of the CR of every CR LF; `counted`: places of a long text, about a step from one to the next;
- * `before`: the text that it was made of, and what makes it that again.
+ * `before`: the text that it was made of, by which edit, and what makes it that again.
  */
 interface Known {
   text: string;
   pairs: Int32Array;
   counted?: readonly Counted[] | undefined;
-  before?: { text: string; edit: Splice };
+  before?: { text: string; made: Splice; back: Splice };
 }
 
 let lately: readonly Known[] = [];
@@ -140,30 +140,24 @@ export function splice(text: string, edits: readonly Splice[]): string {
  */
 function spliced(one: Known, edit: Splice): string {
   const { text, before } = one;
-  const again = before && isSame(before.edit, edit);
+  const again = before && isSame(before.back, edit);
   const result = again ? before.text : text.slice(0, edit.from) + edit.insert + text.slice(edit.to);
   const around = aroundOf(text, edit);
   const counted = one.counted?.flatMap(known => countedAfter(known, edit, around));
   const pairs = pairsAfter(one.pairs, edit, around);
-  remember({ text: result, pairs, counted, before: { text, edit: reversed(text, edit) } }, text);
+  const back = { from: edit.from, to: edit.from + edit.insert.length, insert: text.slice(edit.from, edit.to) };
+  remember({ text: result, pairs, counted, before: { text, made: edit, back } }, text);
   return result;
 }
 
 const isSame = (one: Splice, other: Splice): boolean =>
   one.from === other.from && one.to === other.to && one.insert === other.insert;
 
-/** What takes an edit of this text back. */
-const reversed = (text: string, { from, to, insert }: Splice): Splice => ({
-  from,
-  to: from + insert.length,
-  insert: text.slice(from, to),
-});
-
 /** The edit that has made one of two texts of the other, where that is known. */
 export function madeBy(before: string, after: string): Splice | null {
-  const [old, made] = [before, after].map(text => lately.find(one => one.text === text)?.before);
-  if (made?.text === before) return reversed(after, made.edit);
-  return old?.text === after ? old.edit : null;
+  const [old, now] = [before, after].map(text => lately.find(one => one.text === text)?.before);
+  if (now?.text === before) return now.made;
+  return old?.text === after ? old.back : null;
 }
 
 /** What an edit changes with a character before and after it, as it was and as it is; where that begins. */
