@@ -68,17 +68,19 @@ export function pseudo(text) {
 /** Puts it beside the languages that there are, as the page's build has them. */
 export function speaksPseudo() {
   let words;
-  const text = part =>
-    JSON.parse(words.load.call({ addWatchFile() {} }, `\0words:en/${part}`).replace("export default ", ""));
+  const text = async part => {
+    const module = await words.load.call({ addWatchFile() {} }, `\0words:en/${part}`);
+    return JSON.parse(module.replace("export default ", ""));
+  };
   return {
     name: "pseudo",
     enforce: "pre",
     configResolved({ plugins }) {
       words = plugins.find(({ name }) => name === "words");
     },
-    load(id) {
+    async load(id) {
       const [, part] = new RegExp(`^\0words:${PSEUDO}/(.+)$`).exec(id) ?? [];
-      return part && `export default ${JSON.stringify(pseudo(text(part)))}`;
+      return part && `export default ${JSON.stringify(pseudo(await text(part)))}`;
     },
     transform(code, id) {
       if (id !== "\0words:all") return null;
