@@ -68,8 +68,8 @@
 //!
 //! # Features
 //!
-//! `json` reads and writes documents, `cli` has the terminal program with words and reports. See ARCHITECTURE.md for the
-//! rooms and the invariants.
+//! `json` reads and writes documents, `cli` has the terminal program with words and reports. See ARCHITECTURE.md
+//! for the rooms and the invariants.
 
 #[cfg(feature = "json")]
 pub mod app;
