@@ -260,10 +260,11 @@ describe("a long program", () => {
         if (bar.hasAttribute("value")) globalThis.shares.push(bar.value);
       }).observe(bar, { attributeFilter: ["value"] });
     });
-    await openFile(page, BLOCK.repeat(400_000) + CALL);
+    await openFile(page, BLOCK.repeat(1_500_000) + CALL);
     // within the page: from outside, the reading may be over before a button that has just come is taken as still
     const [said, typed] = await page.evaluate(async () => {
-      while (!globalThis.shares.some(share => share > 0)) await new Promise(requestAnimationFrame);
+      for (let frames = 0; frames < 1200 && !globalThis.shares.some(share => share > 0); frames++)
+        await new Promise(requestAnimationFrame);
       const box = document.querySelector(".activity[data-work=reading]");
       const text = box.textContent;
       const field = document.querySelector('.field[data-field="_SETVAL"] .entry-line > .figure');
