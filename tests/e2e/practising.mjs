@@ -3,6 +3,7 @@
 // What is done is tests/data/jog_practice.json, as in jog-all.spec.mjs. `bench.mjs` prints it.
 import { readFileSync } from "node:fs";
 import { open } from "./browser.mjs";
+import { givesWork } from "./painted.mjs";
 
 const WORK = JSON.parse(readFileSync(new URL("../data/jog_practice.json", import.meta.url), "utf8"));
 const PRESSES = 30; // of NC start for each function, those that count
@@ -52,22 +53,10 @@ async function pictured(page, { piece, lines }) {
   return page.evaluate(
     async ([count, first]) => {
       const pause = () => new Promise(resolve => setTimeout(resolve, 250)); // the picture before stands
-      const frame = () => new Promise(resolve => requestAnimationFrame(() => resolve(performance.now())));
       const times = [];
       for (let n = 0; n < count; n++) {
         await pause();
-        const before = frame();
-        const pressed = performance.now();
-        document.querySelector(".jog-start").click();
-        const handled = performance.now() - pressed;
-        const drawn = new Promise(resolve =>
-          requestAnimationFrame(() => {
-            void document.body.offsetHeight;
-            resolve(performance.now());
-          }),
-        );
-        const [began, ended] = await Promise.all([before, drawn]);
-        times.push(handled + ended - began);
+        times.push(await globalThis.workOf(() => document.querySelector(".jog-start").click()));
         await pause();
         document.querySelector(".jog-actions button").click(); // undo
       }
@@ -83,6 +72,7 @@ export async function practising(browser, page, report) {
   for (const one of all) report(`JOG ${one.name} simulated`, await simulated(page, one), 95, 2);
   const visit = await open(browser, { path: "#jog", serviceWorkers: "block", reducedMotion: "reduce" });
   await visit.page.locator(".jog-stage [data-backend]").waitFor();
+  await givesWork(visit.page);
   for (const one of all) report(`JOG ${one.name}: NC start to its picture`, await pictured(visit.page, one), 95, 16);
   await visit.context.close();
 }

@@ -177,18 +177,24 @@ fn on_a_swivel_table() -> (Setup, [[f64; 3]; 3]) {
     (setup, [[30.0, -20.0, 60.0], [90.0, -15.0, 60.0], [40.0, 25.0, 60.0]])
 }
 
-// oracle: manual B:3880-3906: the fields and lines of the screen; the probe is retracted, the table swivels, and the
-// plane lies across the probe: measured again it is level, from where the WCS has gone along
-#[test]
-fn the_probe_is_set_perpendicular_to_the_plane() {
-    let (setup, places) = on_a_swivel_table();
-    let mut session = Session::new(&setup);
+/// The plane is measured at these places, and its activation screen is open.
+fn plane_measured(setup: &Setup, places: [[f64; 3]; 3]) -> Session {
+    let mut session = Session::new(setup);
     open(&mut session, "align_plane", &[("zo", "G54")]);
     for place in places {
         session.sim.position = Mcs(place);
         session.carry_out(Input::Start).unwrap();
     }
     session.press(Input::Calculate).unwrap();
+    session
+}
+
+// oracle: manual B:3880-3906: the fields and lines of the screen; the probe is retracted, the table swivels, and the
+// plane lies across the probe: measured again it is level, from where the WCS has gone along
+#[test]
+fn the_probe_is_set_perpendicular_to_the_plane() {
+    let (setup, places) = on_a_swivel_table();
+    let mut session = plane_measured(&setup, places);
     let lines = |session: &Session| -> Vec<String> {
         let activation = session.activation().unwrap();
         activation.lines(&session.sim.control).iter().map(|line| line.key.to_string()).collect()
@@ -237,13 +243,7 @@ fn the_probe_is_set_perpendicular_to_the_plane() {
 #[test]
 fn a_part_that_swivels_into_the_probe_stops() {
     let (setup, places) = on_a_swivel_table();
-    let mut session = Session::new(&setup);
-    open(&mut session, "align_plane", &[("zo", "G54")]);
-    for place in places {
-        session.sim.position = Mcs(place);
-        session.carry_out(Input::Start).unwrap();
-    }
-    session.press(Input::Calculate).unwrap();
+    let mut session = plane_measured(&setup, places);
     session.press(Input::Field("retract", "no")).unwrap();
     // beside the side that comes up
     session.sim.position = Mcs([118.0, -20.0, 25.0]);

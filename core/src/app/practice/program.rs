@@ -1,13 +1,13 @@
 //! What a mask means as a program, and a call of a program as its mask.
 
 use super::super::{Error, choose_units, cycle, start};
-use super::{Machine, Piece, PracticeChoice, PracticeRequest, Stands, legible, placed, practice};
+use super::{Machine, Piece, PracticeChoice, PracticeRequest, Stands, begun, legible, practice};
 use crate::app::jog::{JogWrong, act};
 use crate::control::{AXES, Control, Plane, UnitFunction};
 use crate::dialect::Dialect;
 use crate::entry::{Style, Typed};
 use crate::geometry::Wcs;
-use crate::jog::chance::{self, Truth};
+use crate::jog::chance;
 use crate::jog::counterpart::{Call, call, masked};
 use crate::jog::mask::key;
 use crate::jog::masks;
@@ -16,7 +16,6 @@ use crate::jog::{Session, measures};
 use crate::machine::Setup;
 use crate::message::Message;
 use crate::program::write::snippet;
-use crate::refused::Path;
 use serde::{Deserialize, Serialize};
 
 /// What the mask that is open means as a program.
@@ -69,14 +68,10 @@ pub struct PracticeCall {
 /// # Errors
 /// A control that does not measure in JOG, or a machine that cannot be.
 pub fn as_program(asked: PracticeRequest) -> Result<PracticeProgram, Error> {
-    if !measures(asked.control) {
-        return Err(Error::new("jog-no-jog", Path::of(&["control"])));
-    }
-    let mut stands = Stands::new(asked.control, asked.setup, asked.piece)?;
-    let truth = asked.seed.map_or_else(|| placed(asked.part, &stands.setup), |seed| Truth::by(seed.into()));
-    truth.put(&mut stands.setup);
     let (lines, _) = legible(&asked.script);
-    Ok(meant(&carried_out(&stands.setup, &lines)))
+    let (Stands { mut setup, .. }, truth) = begun(asked)?;
+    truth.put(&mut setup);
+    Ok(meant(&carried_out(&setup, &lines)))
 }
 
 /// What the mask means as a program that is open once a script is carried out on a machine; with a seed the part lies
