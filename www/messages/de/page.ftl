@@ -669,6 +669,7 @@ bar-corrects-what = Korrigiert { $what }
 bar-nothing = nichts
 bar-new = neue Werte
 bar-none = Das Ergebnis erscheint hier, sobald der Aufruf simuliert werden kann.
+bar-unmeasured = Dieser Aufruf misst nichts und läuft bis zum Ende.
 bar-gauge = { $needles }; Grenzen { $low } bis { $high }
 # The worked example, told in steps.
 practice-title = Messen in JOG üben

@@ -657,6 +657,7 @@ bar-corrects-what = Corrects { $what }
 bar-nothing = nothing
 bar-new = new values
 bar-none = The result appears here when the call can be simulated.
+bar-unmeasured = This call measures nothing and comes to its end.
 bar-gauge = { $needles }; limits { $low } to { $high }
 # The worked example, told in steps.
 practice-title = Practise measuring in JOG

@@ -644,6 +644,7 @@ bar-corrects-what = 补偿：{ $what }
 bar-nothing = 无
 bar-new = 新值
 bar-none = 调用可以模拟时，结果显示在这里。
+bar-unmeasured = 该调用不进行测量，已执行到结束。
 bar-gauge = { $needles }；限值 { $low } 到 { $high }
 # The worked example, told in steps.
 practice-title = 练习 JOG 测量

@@ -73,6 +73,15 @@ function body(answer: Answer): TemplateResult {
     </div>`;
 }
 
+/** Why there is no answer: nothing is simulated yet, or the call measures nothing; then how it ended. */
+function unanswered(state: State, derived: Derived): string {
+  if (derived.simulates !== "yes") return "";
+  const outcome = state.view.source === "program" ? undefined : derived.view.outcome;
+  if (!outcome) return t("bar-none");
+  const alarm = outcome.alarms.at(-1);
+  return alarm ? [alarm.code, say(alarm.message)].filter(Boolean).join(" ") : t("bar-unmeasured");
+}
+
 /** In a sentence: for those who hear it. */
 function spoken(answer: Answer): string {
   const figures = mainFigures(answer).map(one => {
@@ -104,7 +113,7 @@ export function createAnswer(): { root: HTMLElement; draw(state: State, derived:
     root,
     draw(state, derived) {
       const answer = shownAnswer(state, derived);
-      const none = derived.simulates === "yes" ? t("bar-none") : "";
+      const none = answer ? "" : unanswered(state, derived);
       render(answer ? guard([answer], () => body(answer)) : html`<span class="answer-none">${none}</span>`, bar);
       speak(answer ? spoken(answer) : "");
     },
