@@ -68,13 +68,20 @@ export function buildScene(
   ];
   const box = boxOf(data, standing, tool, drawing);
   const counts = layers.map(layer => layer.reduce((sum, { corners: [from, to] }) => sum + to - from, 0));
-  const mesh = assemble(data, layers.flat(), standing, colours);
+  const { mesh, ground } = solids({
+    vertices: data.vertices,
+    corners: data.corners,
+    pieces: layers.flat(),
+    standing,
+    turning: view.turning,
+    colours,
+  });
   return {
     data,
     colours,
     mesh,
     ends: counts.slice(0, -1).map((_, i) => counts.slice(0, i + 1).reduce((sum, count) => sum + count, 0)),
-    ground: groundOf(mesh, standing, view.turning),
+    ground,
     lines,
     touched: lines.filter(({ from, to, style }) => from === to && style.unseenBefore).map(({ from }) => from),
     labels: labelsOf(view, colours, say, wanted, drawnAround(index)),
@@ -104,8 +111,35 @@ const FIXED: Place = {
   ],
 };
 
+interface Solids extends Pick<SceneData, "vertices" | "corners"> {
+  pieces: Piece[];
+  standing: Standing;
+  turning: boolean;
+  colours: Colours;
+}
+
+const equal = (a: Float32Array | Uint32Array, b: Float32Array | Uint32Array): boolean =>
+  a === b || (a.length === b.length && a.every((one, index) => one === b[index]));
+
+const sameSolids = (a: Solids, b: Solids): boolean =>
+  a.colours === b.colours &&
+  a.turning === b.turning &&
+  JSON.stringify([a.pieces, a.standing]) === JSON.stringify([b.pieces, b.standing]) &&
+  equal(a.vertices, b.vertices) &&
+  equal(a.corners, b.corners);
+
+let before: { of: Solids; mesh: Mesh; ground: Ground } | null = null;
+
+/** The same objects as before where nothing of it is another: most keys, and each step in JOG, change lines only. */
+function solids(of: Solids): { mesh: Mesh; ground: Ground } {
+  if (before && sameSolids(before.of, of)) return before;
+  const mesh = assemble(of);
+  before = { of, mesh, ground: groundOf(mesh, of.standing, of.turning) };
+  return before;
+}
+
 /** The pieces one behind the other, each where it stands and in its colour. */
-function assemble({ vertices, corners }: SceneData, pieces: Piece[], standing: Standing, colours: Colours): Mesh {
+function assemble({ vertices, corners, pieces, standing, colours }: Solids): Mesh {
   const count = (span: "vertices" | "corners"): number =>
     pieces.reduce((sum, { [span]: [from, to] }) => sum + to - from, 0);
   const mesh: Mesh = {
