@@ -118,8 +118,13 @@ interface Solids extends Pick<SceneData, "vertices" | "corners"> {
   colours: Colours;
 }
 
-const equal = (a: Float32Array | Uint32Array, b: Float32Array | Uint32Array): boolean =>
-  a === b || (a.length === b.length && a.every((one, index) => one === b[index]));
+/** Bit by bit: one sort of array is compared several times as fast as two. */
+function equal(one: Float32Array | Uint32Array, other: Float32Array | Uint32Array): boolean {
+  const [a, b] = [one, other].map(({ buffer, byteOffset, length }) => new Uint32Array(buffer, byteOffset, length));
+  if (a!.length !== b!.length) return false;
+  for (let index = 0; index < a!.length; index++) if (a![index] !== b![index]) return false;
+  return true;
+}
 
 const sameSolids = (a: Solids, b: Solids): boolean =>
   a.colours === b.colours &&
