@@ -26,7 +26,7 @@ export const VERDICT_ICONS: Record<Answer["verdict"], IconName> = {
 };
 
 /** The call of a run in which this step is, else the last one before it. */
-export function answerAt({ answers }: RunView, step: number): RunView["answers"][number] | undefined {
+export function answerAt({ answers }: Pick<RunView, "answers">, step: number): RunView["answers"][number] | undefined {
   return answers.findLast(one => one.from <= step) ?? answers[0];
 }
 
@@ -52,6 +52,10 @@ function measured(answer: Answer): TemplateResult {
     ><span class="answer-figures">${figures.map(one => html`<span>${figure(one)}</span> `)}</span></div>`;
 }
 
+/** What the machine measured: which file tells, since nobody knows what it corrected. */
+const told = (file: string): TemplateResult =>
+  html`<div class="answer-part"><span class="answer-name">${t("protocol-title")}</span><b>${file}</b></div>`;
+
 function corrected(answer: Answer): TemplateResult {
   const none = answer.corrected.length === 0;
   const name = none
@@ -62,9 +66,9 @@ function corrected(answer: Answer): TemplateResult {
     ><b>${none ? t("bar-nothing") : parts || t("bar-new")}</b></div>`;
 }
 
-function body(answer: Answer): TemplateResult {
+function body(answer: Answer, file: string): TemplateResult {
   const gauge = answer.gauge ? gaugePicture(answer.gauge) : nothing;
-  return html`${measured(answer)}${corrected(answer)}
+  return html`${measured(answer)}${file ? told(file) : corrected(answer)}
     <div class="answer-gauge" ?hidden=${!answer.gauge}>${gauge}</div>
     <div class="answer-why">
       <span class="verdict" data-verdict=${answer.verdict}
@@ -83,12 +87,13 @@ function unanswered(state: State, derived: Derived): string {
 }
 
 /** In a sentence: for those who hear it. */
-function spoken(answer: Answer): string {
+function spoken(answer: Answer, file: string): string {
   const figures = mainFigures(answer).map(one => {
     const off = one.deviation === undefined ? "" : ` (${amount(one.deviation, one.unit, true)})`;
     return `${figureText(one)}${off}`;
   });
-  const changed = correctedText(answer) || `${t("bar-corrects")} ${t("bar-nothing")}`;
+  const simulated = correctedText(answer) || `${t("bar-corrects")} ${t("bar-nothing")}`;
+  const changed = file ? t("protocol-of", { name: file }) : simulated;
   return [figures.join(" "), changed, say(answer.verdict_words), say(answer.why)].filter(Boolean).join(" · ");
 }
 
@@ -104,18 +109,40 @@ function afterRest(speak: (text: string) => void): (text: string) => void {
   };
 }
 
-export function createAnswer(): { root: HTMLElement; draw(state: State, derived: Derived): void } {
+/** What a protocol of the real machine tells of each call, and its name. */
+export interface Real {
+  answers: RunView["answers"];
+  file: string;
+}
+
+export interface AnswerLine {
+  root: HTMLElement;
+  /** With the whole program this counts, not what was simulated; null: there is no protocol. */
+  setReal(next: Real | null): void;
+  draw(state: State, derived: Derived): void;
+}
+
+export function createAnswer(): AnswerLine {
   const bar = el("div", { class: "answer-line" });
   const live = el("span", { class: "visually-hidden", role: "status", "aria-live": "polite" });
   const root = el("section", { class: "answer", "aria-label": t("bar-title") }, bar, live);
   const speak = afterRest(text => setText(live, text));
+  let real: Real | null = null;
   return {
     root,
+    setReal(next) {
+      real = next;
+    },
     draw(state, derived) {
-      const answer = shownAnswer(state, derived);
+      const measured = state.view.source === "program" ? real : null;
+      const answer = measured ? answerAt(measured, derived.step) : shownAnswer(state, derived);
+      const file = measured?.file ?? "";
       const none = answer ? "" : unanswered(state, derived);
-      render(answer ? guard([answer], () => body(answer)) : html`<span class="answer-none">${none}</span>`, bar);
-      speak(answer ? spoken(answer) : "");
+      render(
+        answer ? guard([answer, file], () => body(answer, file)) : html`<span class="answer-none">${none}</span>`,
+        bar,
+      );
+      speak(answer ? spoken(answer, file) : "");
     },
   };
 }
