@@ -68,6 +68,15 @@ pub fn cure(request: &str) -> Result<String, JsError> {
     Ok(json::answer(request, app::cure)?)
 }
 
+/// `CertaintyRequest` → `CertaintyView`: measures a thousand times, so it is asked on a thread of its own.
+///
+/// # Errors
+/// A request of the wrong shape.
+#[wasm_bindgen]
+pub fn certainty(request: &str) -> Result<String, JsError> {
+    Ok(json::answer(request, app::certainty)?)
+}
+
 /// An answer, and what is to be seen of it.
 #[wasm_bindgen]
 pub struct Answer {

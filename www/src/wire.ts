@@ -252,6 +252,64 @@ export type CellText = {
   text: string,
 };
 
+/** A quantity and how certain it is, in its unit. */
+export type Certain = {
+  /** The result that has its actual value: `_OVR[4]`. */
+  name: string,
+  /** Meaning of the result. */
+  label: Message,
+  /** What stands before its value: `Ø`, `X`; empty: nothing. */
+  symbol: string,
+  /** Unit at the call. */
+  unit: string,
+  /** As measured. */
+  value: number,
+  /** Expanded uncertainty U = k·u, rounded up to two digits. */
+  expanded: number,
+  /** Decimal places with which value and U are told. */
+  decimals: number,
+  /** Coverage factor k. */
+  coverage: number,
+  /** What the value proves about its limits; absent: nothing limits it. */
+  proof?: Proof,
+  /** The same as chances of the part at hand. */
+  chances?: CertainChances,
+  /** What makes how much of the uncertainty, the largest first. */
+  budget: Array<Contribution>,
+};
+
+/** Chances of a part, together 1. */
+export type CertainChances = {
+  /** Within the limits. */
+  good: number,
+  /** Beyond, metal is left. */
+  rework: number,
+  /** Beyond, metal is missing. */
+  scrap: number,
+  /** Beyond, of what can be neither. */
+  beyond: number,
+};
+
+/** What is asked. */
+export type CertaintyRequest = {
+  /** The form, with its machine and the errors of part and probe. */
+  form: FormRequest,
+  /** How many measurements, up to 10 000; absent: 1000. */
+  runs?: number,
+  /** Seed of all random numbers; absent: 1. */
+  seed?: number,
+};
+
+/** How certain a measurement is. */
+export type CertaintyView = {
+  /** How many measurements; 0: nothing spreads, or nothing is measured. */
+  runs: number,
+  /** Share of them that did not come to an end. */
+  stopped: number,
+  /** What was measured, the most important first. */
+  figures: Array<Certain>,
+};
+
 /** The limits of a form. Places are mm, or degrees where the limits are angles, from the setpoint. */
 export type Chain = {
   /** The scale reaches so far on both sides. */
@@ -374,6 +432,14 @@ export type ComparedValue = {
   before: string | null,
   /** As it would arrive; null: it would not, and the value is lost. */
   after: string | null,
+};
+
+/** A part of an uncertainty. */
+export type Contribution = {
+  /** What it comes from. */
+  source: Message,
+  /** Share of the square of the uncertainty. */
+  share: number,
 };
 
 /** A call in another style. */
@@ -1257,6 +1323,9 @@ export type Message = {
   args: { [key in string]: Arg },
 };
 
+/** What a run of a series starts from. */
+export type Mode = "independent" | "production";
+
 /** Kind of a motion. */
 export type MotionKind = "rapid" | "positioning" | "measuring" | "retract";
 
@@ -1410,6 +1479,9 @@ export type PassedOver = {
   /** Line of the word, from 1. */
   line: number,
 };
+
+/** How often something is drawn. */
+export type Per = "part" | "series";
 
 /** A drawing. */
 export type Picture = {
@@ -1832,6 +1904,9 @@ export type ProgramPlace = {
 
 /** Text of a program in UTF-8. Who asks several questions about a long one holds it, so that none brings it anew. */
 export type ProgramText = string;
+
+/** What a measurement proves by ISO 14253-1: who proves bears the uncertainty. */
+export type Proof = "good" | "undecided" | "bad";
 
 /** Columns of a table, each by its heading or its number from 1. */
 export type ProtocolColumns = {
@@ -2400,6 +2475,18 @@ export type SceneView = {
   exaggerated?: number,
 };
 
+/** A program that is run many times, and what varies from run to run. */
+export type Series = {
+  /** How many runs, 1 to 1 000 000. */
+  runs: number,
+  /** Seed of all random numbers. */
+  seed: number,
+  /** Whether a run finds what the one before it left. */
+  mode: Mode,
+  /** What varies. The scatter of a touch is the repeatability of the probe. */
+  vary: Array<Vary>,
+};
+
 /**
  * Machine, probe and part that a program runs on. Lengths in mm, angles in degree, feeds in mm/min, except in `data`,
  * where a number means what it means on the control: on an inch machine most lengths are inches. Unknown members are
@@ -2450,10 +2537,15 @@ export type Setup = {
   clock?: string,
   /** Skip levels 0 to 9 that are switched on at the panel: blocks with `/`, `/1` to `/9` are left out. */
   skip: Array<number>,
+  /** What varies where a program is run many times: `probewright series`. */
+  series?: Series,
 };
 
 /** How bad it is. */
 export type Severity = "error" | "warning" | "note";
+
+/** How numbers are spread about their mean. */
+export type Shape = "normal" | "uniform" | "triangular" | "arcsine";
 
 /** What a figure stands for. */
 export type ShapeKind = "material" | "cut" | "edge" | "zone" | "probe" | "path" | "dimension" | "label" | "tolerance" | "axis" | "touch";
@@ -2834,6 +2926,33 @@ export type VariantInfo = {
   values: { [key in string]: string },
   /** Values of the worked measurement. */
   example: { [key in string]: string },
+};
+
+/** Something that varies: what is drawn is added to what the file says. */
+export type Vary = {
+  /**
+   * Member of the file: `workpiece[0].errors.size`, `.taper`, `.shift[0]`, `.tilt[2]`, `.outOfRound[0]`;
+   * `probe.radius`, `.length`, `.delay`, `.skew[0]`, `.preTravel[0]`; a datum or a tool or frame variable as
+   * `data._WP[0,1]`, `data.$TC_DP3[9,1]`.
+   */
+  what: string,
+  /** How it is spread. */
+  as?: Shape,
+  /** Standard deviation, of `normal`. */
+  sigma?: number,
+  /** Half width, of the others. */
+  half?: number,
+  /** Its mean. */
+  mean?: number,
+  /** By how much the mean grows from one part to the next: wear of the tool that makes them, a machine that warms up. */
+  drift?: number,
+  /** How often it is drawn. */
+  per?: Per,
+  /**
+   * In production, how much of a correction reaches the next part: by variable, what one unit more of it adds here.
+   * A hole that is cut with T20 D1 gets smaller by twice the wear of the radius: `{ "$TC_DP15[20,1]": -2 }`.
+   */
+  follows?: { [key in string]: number },
 };
 
 /** What follows from a measurement. */

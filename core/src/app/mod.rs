@@ -6,6 +6,7 @@ mod alarms;
 mod answer;
 mod beside;
 mod catalogue;
+mod certainty;
 mod changes;
 mod edit;
 mod encoding;
@@ -26,6 +27,7 @@ mod record;
 mod run;
 mod scan;
 mod scenario;
+mod series;
 mod start;
 mod story;
 mod supply;
@@ -39,6 +41,7 @@ pub use alarms::{AlarmInfo, alarm, alarms};
 pub use answer::{Answer, Band, BandKind, Correction, Figure, Gauge, Limited, Mark, Needle, Part, Verdict};
 pub use beside::{Beside, FileStart};
 pub use catalogue::{Catalogue, CycleInfo, ParameterInfo, Purpose, Values, VariantInfo, catalogue};
+pub use certainty::{Certain, CertainChances, CertaintyRequest, CertaintyView, Contribution, certainty};
 pub use changes::Change;
 pub use edit::{
     Assignment, ChangeRequest, Changed, ConvertRequest, Converted, CureRequest, CuredAll, Replaced, Variable, change,
@@ -68,6 +71,9 @@ pub use scan::{Scan, ScanRequest, ScanView, SurfaceChoice, put_surface};
 pub use scenario::{
     CaseView, Expected, ExpectedCall, NoteRequest, Scenario, ScenarioCase, ScenarioRequest, ScenarioText, ScenarioView,
     noted, scenario,
+};
+pub use series::{
+    SeriesAlarm, SeriesCall, SeriesCorrection, SeriesFigure, SeriesShare, SeriesSpread, SeriesView, series, series_csv,
 };
 pub use start::{Beginning, Machine, OwnMachine};
 pub use story::{Story, story};

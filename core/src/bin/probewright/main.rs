@@ -16,6 +16,7 @@ mod read;
 mod record;
 mod run;
 mod scan;
+mod series;
 mod stream;
 mod test;
 mod write;
@@ -56,6 +57,7 @@ enum Command {
     Write(write::Arguments),
     Read(read::Arguments),
     Run(Box<run::Arguments>),
+    Series(series::Arguments),
     Test(test::Arguments),
     Jog(jog::Arguments),
 }
@@ -104,6 +106,7 @@ fn run_command(command: Command, words: &Words, out: &mut dyn Write) -> Result<E
         Command::Write(asked) => write::write(&asked, words, out),
         Command::Read(asked) => read::read(&asked, words, out),
         Command::Run(asked) => run::run(&asked, words, out),
+        Command::Series(asked) => series::series(&asked, words, out),
         Command::Test(asked) => test::test(&asked, words, out),
         Command::Jog(asked) => jog::jog(&asked, words, out),
     }

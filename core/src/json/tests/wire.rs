@@ -105,6 +105,8 @@ fn the_types_of_the_page_are_those_of_the_core() {
     types.visit::<Catalogue>();
     types.visit::<AlarmInfo>();
     types.visit::<FormRequest>();
+    types.visit::<CertaintyRequest>();
+    types.visit::<CertaintyView>();
     types.visit::<FormView>();
     types.visit::<HelpRequest>();
     types.visit::<HelpView>();
