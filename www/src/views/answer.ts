@@ -8,8 +8,9 @@ import { el, setText } from "../dom";
 import { type IconName, iconPart } from "../icons";
 import type { State } from "../state/state";
 import { listed, say, t } from "../texts";
-import type { Answer, Figure, RunView } from "../wire";
+import type { Answer, CertaintyView, Figure, RunView } from "../wire";
 import { amount, correctedText, figureText, mainFigures, partsText, unitBehind } from "./amounts";
+import { certainty } from "./certain";
 import { gaugePicture } from "./gauge";
 
 const REST = 500; // ms without a change, then it is spoken
@@ -62,7 +63,7 @@ function corrected(answer: Answer): TemplateResult {
     ><b>${none ? t("bar-nothing") : parts || t("bar-new")}</b></div>`;
 }
 
-function body(answer: Answer): TemplateResult {
+function body(answer: Answer, certain: CertaintyView | null): TemplateResult {
   const gauge = answer.gauge ? gaugePicture(answer.gauge) : nothing;
   return html`${measured(answer)}${corrected(answer)}
     <div class="answer-gauge" ?hidden=${!answer.gauge}>${gauge}</div>
@@ -70,7 +71,8 @@ function body(answer: Answer): TemplateResult {
       <span class="verdict" data-verdict=${answer.verdict}
         >${iconPart(VERDICT_ICONS[answer.verdict])}${say(answer.verdict_words)}</span
       ><span class="why">${say(answer.why)}</span>
-    </div>`;
+    </div>
+    ${certain ? certainty(certain) : nothing}`;
 }
 
 /** In a sentence: for those who hear it. */
@@ -104,8 +106,12 @@ export function createAnswer(): { root: HTMLElement; draw(state: State, derived:
     root,
     draw(state, derived) {
       const answer = shownAnswer(state, derived);
+      const certain = state.view.source === "program" ? null : derived.certain;
       const none = derived.simulates === "yes" ? t("bar-none") : "";
-      render(answer ? guard([answer], () => body(answer)) : html`<span class="answer-none">${none}</span>`, bar);
+      render(
+        answer ? guard([answer, certain], () => body(answer, certain)) : html`<span class="answer-none">${none}</span>`,
+        bar,
+      );
       speak(answer ? spoken(answer) : "");
     },
   };
