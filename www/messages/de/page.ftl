@@ -663,6 +663,19 @@ results-more = { $count ->
    *[other] { $count } weitere Ergebnisse sind nicht aufgeführt.
 }
 # The line that says what a call came to.
+certain-value = { $value } ± { $expanded } (k = { $coverage })
+certain-share = { $share } %
+certain-less = < { $share } %
+certain-more = > { $share } %
+certain-good = gut { $share }
+certain-rework = Nacharbeit { $share }
+certain-scrap = Ausschuss { $share }
+certain-beyond = außerhalb der Grenzen { $share }
+certain-proof-good = Sicher gut.
+certain-proof-undecided = Weder gut noch schlecht ist sicher.
+certain-proof-bad = Sicher schlecht.
+certain-largest = Größter Beitrag: { $source }, { $share }.
+certain-stopped = Endet vorzeitig: { $share }.
 bar-title = Ergebnis der Messung
 bar-corrects = Korrigiert
 bar-corrects-what = Korrigiert { $what }

@@ -11,6 +11,7 @@ import type {
   Converted,
   CuredAll,
   CureRequest,
+  Dialect,
   EquipRequest,
   EquipView,
   FormRequest,
@@ -67,13 +68,21 @@ export interface SupplyRequest extends EquipRequest {
   text: string;
 }
 
-/** What is asked about a whole program. */
+/** How certain the call of a form is. `asked`: the request as JSON, by which the same question is known again. */
+export interface CertaintyQuestion {
+  control: Dialect;
+  text: string; // of no program
+  asked: string;
+}
+
+/** What is asked aside: about a whole program, or how certain a measurement is. */
 export type Question =
   | ({ ask: "read" } & ReadRequest)
   | ({ ask: "change" } & ChangeRequest)
   | ({ ask: "convert" } & ConvertRequest)
   | ({ ask: "cure" } & CureRequest)
   | ({ ask: "equip" } & SupplyRequest)
+  | ({ ask: "certainty" } & CertaintyQuestion)
   | ({ ask: "run" } & RunQuestion);
 
 /** What came of a session of measuring in JOG, and what is to be seen of it. */
@@ -141,11 +150,12 @@ function changes(
   return answers;
 }
 
-/** A question that is answered at once; a run is answered in pieces. */
-export type AtOnce = Exclude<Question, { ask: "run" }>;
+/** A question about a program that is answered at once; a run is answered in pieces. */
+export type AtOnce = Exclude<Question, { ask: "run" | "certainty" }>;
 
 /** The answer as JSON text, so that a worker can hand it over as it is; about the text in the module, if one is. */
-export function answer(question: AtOnce, held: Held | null = null): string {
+export function answer(question: Exclude<Question, { ask: "run" }>, held: Held | null = null): string {
+  if (question.ask === "certainty") return call(question.ask, () => wasm.certainty(question.asked));
   const { ask, ...request } = question;
   if (ask === "change") return JSON.stringify(changes(question as ChangeRequest, held));
   const json = JSON.stringify(request);

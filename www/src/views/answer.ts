@@ -8,8 +8,9 @@ import { el, setText } from "../dom";
 import { type IconName, iconPart } from "../icons";
 import type { State } from "../state/state";
 import { listed, say, t } from "../texts";
-import type { Answer, Figure, RunView } from "../wire";
+import type { Answer, CertaintyView, Figure, RunView } from "../wire";
 import { amount, correctedText, figureText, mainFigures, partsText, unitBehind } from "./amounts";
+import { certainty } from "./certain";
 import { gaugePicture } from "./gauge";
 
 const REST = 500; // ms without a change, then it is spoken
@@ -66,7 +67,7 @@ function corrected(answer: Answer): TemplateResult {
     ><b>${none ? t("bar-nothing") : parts || t("bar-new")}</b></div>`;
 }
 
-function body(answer: Answer, file: string): TemplateResult {
+function body(answer: Answer, file: string, certain: CertaintyView | null): TemplateResult {
   const gauge = answer.gauge ? gaugePicture(answer.gauge) : nothing;
   return html`${measured(answer)}${file ? told(file) : corrected(answer)}
     <div class="answer-gauge" ?hidden=${!answer.gauge}>${gauge}</div>
@@ -74,7 +75,8 @@ function body(answer: Answer, file: string): TemplateResult {
       <span class="verdict" data-verdict=${answer.verdict}
         >${iconPart(VERDICT_ICONS[answer.verdict])}${say(answer.verdict_words)}</span
       ><span class="why">${say(answer.why)}</span>
-    </div>`;
+    </div>
+    ${certain ? certainty(certain) : nothing}`;
 }
 
 /** Why there is no answer: nothing is simulated yet, or the call measures nothing; then how it ended. */
@@ -134,14 +136,15 @@ export function createAnswer(): AnswerLine {
       real = next;
     },
     draw(state, derived) {
-      const measured = state.view.source === "program" ? real : null;
+      const program = state.view.source === "program";
+      const measured = program ? real : null;
       const answer = measured ? answerAt(measured, derived.step) : shownAnswer(state, derived);
       const file = measured?.file ?? "";
+      const certain = program ? null : derived.certain;
       const none = answer ? "" : unanswered(state, derived);
-      render(
-        answer ? guard([answer, file], () => body(answer, file)) : html`<span class="answer-none">${none}</span>`,
-        bar,
-      );
+      const line = (found: Answer): TemplateResult =>
+        html`${guard([found, file, certain], () => body(found, file, certain))}`;
+      render(answer ? line(answer) : html`<span class="answer-none">${none}</span>`, bar);
       speak(answer ? spoken(answer, file) : "");
     },
   };
