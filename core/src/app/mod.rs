@@ -4,6 +4,9 @@
 mod ahead;
 mod alarms;
 mod answer;
+mod around;
+#[cfg(test)]
+mod around_tests;
 mod beside;
 mod catalogue;
 mod changes;
@@ -36,9 +39,13 @@ mod written;
 pub use crate::refused::Refused as Error;
 pub use ahead::{JogAhead, JogHidden, ahead};
 pub use alarms::{AlarmInfo, alarm, alarms};
-pub use answer::{Answer, Band, BandKind, Correction, Figure, Gauge, Limited, Mark, Needle, Part, Verdict};
+pub use answer::{
+    Answer, Band, BandKind, Correction, Figure, Gauge, Limited, Mark, Needle, Part, ResultScreen, ScreenRow,
+    ScreenUntil, ScreenValue, Verdict,
+};
+pub use around::{AroundBlock, AroundField, AroundRequest, AroundView, Wanted as AroundWanted, around};
 pub use beside::{Beside, FileStart};
-pub use catalogue::{Catalogue, CycleInfo, ParameterInfo, Purpose, Values, VariantInfo, catalogue};
+pub use catalogue::{AroundInfo, Catalogue, CycleInfo, ParameterInfo, Purpose, Values, VariantInfo, catalogue};
 pub use changes::Change;
 pub use edit::{
     Assignment, ChangeRequest, Changed, ConvertRequest, Converted, CureRequest, CuredAll, Replaced, Variable, change,
