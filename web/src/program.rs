@@ -59,6 +59,15 @@ pub fn convert(request: &str) -> Result<String, JsError> {
     Ok(json::answer(request, app::convert)?)
 }
 
+/// `AroundRequest` → `AroundView`.
+///
+/// # Errors
+/// A request of the wrong shape, an unknown cycle or a call that is not there.
+#[wasm_bindgen]
+pub fn around(request: &str) -> Result<String, JsError> {
+    Ok(json::answer(request, app::around)?)
+}
+
 /// `CureRequest` → `CuredAll`.
 ///
 /// # Errors

@@ -82,6 +82,8 @@ export type Answer = {
   alarm?: string,
   /** Why, in a sentence. */
   why: Message,
+  /** The measuring result screen; absent: the control shows none. */
+  screen?: ResultScreen,
 };
 
 /** One argument of a message. */
@@ -95,6 +97,94 @@ export type Around = {
   axis: [number, number, number],
   /** Degrees from start to end, right-handed about the axis; whole turns included. */
   degrees: number,
+};
+
+/** A block. */
+export type AroundBlock = {
+  /** Its name. */
+  name: string,
+  /** Key of its title; with `-help` what it does. */
+  key: string,
+  /** Whether it is wanted. */
+  wanted: boolean,
+  /** Whether it suits the call. */
+  suits: boolean,
+  /** Its fields. */
+  fields: Array<AroundField>,
+  /** Keys of its comments and texts. */
+  says: Array<string>,
+};
+
+/** A field of a block. */
+export type AroundField = {
+  /** Its name. */
+  name: string,
+  /** Key of its label. */
+  key: string,
+  /** As typed, else as the program has it. */
+  value: string,
+  /** What counts without: a value, of a text its key. */
+  preset: string,
+  /** Whether that is the key of a text. */
+  text: boolean,
+  /** What can be chosen, each with the key of its name; empty: anything can be entered. */
+  choices: Array<[string, string]>,
+  /** What is wrong with it. */
+  problem: Message | null,
+};
+
+/** A block that can stand around a call. */
+export type AroundInfo = {
+  /** Control that has it. */
+  control: Dialect,
+  /** Its name. */
+  name: string,
+  /** Key of its title; with `-words` by what it is found. */
+  key: string,
+};
+
+/** What is asked about the blocks around a call. */
+export type AroundRequest = {
+  /** Control. */
+  control: Dialect,
+  /** Cycle of a call that is still to be written. */
+  cycle: string,
+  /** Its values as typed. */
+  values?: { [key in string]: string },
+  /** Text of the program. */
+  text: ProgramText,
+  /** Which of its calls, from 0; absent: the call is still to be written. */
+  call?: number,
+  /** The blocks that are wanted; absent: those that stand there. */
+  wanted?: Array<AroundWanted>,
+  /** Words by key, for comments and operator texts. */
+  words?: { [key in string]: string },
+  /** Whether each line gets its comment. */
+  comments?: boolean,
+  /** Machine; absent: the core's own as it is. */
+  setup?: Machine,
+  /** Files beside it, of which definition files count; absent: none. */
+  with?: Array<Beside>,
+};
+
+/** The blocks around a call. */
+export type AroundView = {
+  /** Those that suit the call or stand there, the outermost first. */
+  blocks: Array<AroundBlock>,
+  /** Lines before a call that is still to be written. */
+  before: string,
+  /** Lines behind it. */
+  after: string,
+  /** The only places of the text that change, where the call is in the program. */
+  edits: Array<Edit>,
+};
+
+/** A block that is wanted. */
+export type AroundWanted = {
+  /** Its name. */
+  name: string,
+  /** Its values as typed. */
+  values: { [key in string]: string },
 };
 
 /** A value that arrives at a call. */
@@ -238,6 +328,8 @@ export type Catalogue = {
   applicate: Record<Plane, 0 | 1 | 2>,
   /** Controls with which measuring in JOG can be practised. */
   practises: Array<Dialect>,
+  /** Blocks that can stand around a call. */
+  around: Array<AroundInfo>,
 };
 
 /** A text for a field. */
@@ -2097,6 +2189,26 @@ export type ResultInfo = {
   source: string,
 };
 
+/** A measuring result screen. */
+export type ResultScreen = {
+  /** Which of the four screens it is. */
+  title: Message,
+  /** Cycle that measured. */
+  cycle: string,
+  /** Number of the measuring variant. */
+  variant: number,
+  /** Name of the measuring variant. */
+  measures: Message,
+  /** What was measured, a row each. */
+  rows: Array<ScreenRow>,
+  /** Single values below, in the order of the manual's list. */
+  values: Array<ScreenValue>,
+  /** How long it is shown. */
+  until: ScreenUntil,
+  /** Index of the entry of the trace with which it appears. */
+  at: number,
+};
+
 /** A row, or the sort of a new one. */
 export type RowOf = {
   /** Its table. */
@@ -2151,6 +2263,8 @@ export type RunAnswer = {
   alarm?: string,
   /** Why, in a sentence. */
   why: Message,
+  /** The measuring result screen; absent: the control shows none. */
+  screen?: ResultScreen,
   /** Line of the call, from 1. */
   line?: number,
   /** Cycle that is called. */
@@ -2473,6 +2587,33 @@ export type SceneView = {
   entries: number,
   /** How many times as large the errors of the part are drawn; none: as they are. */
   exaggerated?: number,
+};
+
+/** A row of a result screen: what has no setpoint or difference leaves it empty. */
+export type ScreenRow = {
+  /** What it is. */
+  label: Message,
+  /** Setpoint. */
+  set: number | null,
+  /** Actual value, trigger value of a calibration. */
+  actual: number | null,
+  /** Actual value minus setpoint, of a calibration the change. */
+  difference: number | null,
+  /** Unit of all of them. */
+  unit: string,
+};
+
+/** How long a result screen is shown. */
+export type ScreenUntil = "end" | "start" | "next";
+
+/** A single value of a result screen. */
+export type ScreenValue = {
+  /** What it is. */
+  label: Message,
+  /** Its value. */
+  value: number,
+  /** Its unit; empty: none. */
+  unit: string,
 };
 
 /** A program that is run many times, and what varies from run to run. */

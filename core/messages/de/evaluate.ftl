@@ -82,3 +82,14 @@ answer-why-within = Die Abweichung beträgt höchstens { $limit }{ $unit ->
        *[mm]  mm
     }.
 answer-why-measured = Für diese Messung ist kein Grenzwert festgelegt.
+
+screen-tool-probe = Werkzeugmesstaster kalibrieren
+screen-tool = Werkzeug messen
+screen-probe = Werkstückmesstaster kalibrieren
+screen-workpiece = Werkstückmessung
+screen-set = Sollwert
+screen-actual = Istwert
+screen-difference = Differenz
+screen-until-end = Sichtbar, bis der Zyklus endet.
+screen-until-start = Wartet auf NC START: Messergebnisbild quittieren.
+screen-until-next = Sichtbar bis zum Aufruf des nächsten Messzyklus.

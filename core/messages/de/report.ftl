@@ -5,6 +5,8 @@ report-generated = Aus dem Katalog erzeugt; nicht bearbeiten.
 report-known-simulated = Maske, Prüfung, Programmtext und Simulation.
 report-known-stops = Maske, Prüfung und Programmtext; nicht simuliert: Der Lauf hält am Aufruf an.
 report-default-machine = wie an der Maschine
+report-around = Bausteine um einen Messaufruf
+report-around-intro = Was ein Betrieb von Hand um eine Messung schreibt. `probewright write` fügt einen Baustein mit `--around NAME` hinzu und setzt seine Felder mit `--around NAME.FELD=WERT`; die Seite hat sie in der Maske. Sprungmarken beginnen mit PW; Sprungmarken und Variablen sind solche, die das Programm nicht verwendet.
 report-jog = Messen in JOG
 report-jog-intro = Die Masken des Messens in JOG: was jede misst, wo der Messtaster vor NC-Start steht, was geschrieben wird, und ihre Felder mit den Namen für ein Skript von `probewright jog`. Die Achsen sind die von G17.
 report-jog-mask = Im Skript: { $mask }. Quelle: { $source }.
@@ -74,6 +76,9 @@ terminal-cycle = Es gibt keinen Zyklus { $name }; „probewright cycles“ liste
 terminal-variant = { $cycle } hat keine Messvariante { $number }
 terminal-parameter = { $cycle } hat keinen Parameter { $name }
 terminal-twice = { $name } ist zweimal angegeben
+terminal-around = { $cycle } hat hier keinen Baustein { $name }; es gibt: { $known }
+terminal-around-field = Baustein { $name } hat kein Feld { $field }
+terminal-around-problem = { $name }: { $problem }
 terminal-pair = Nicht in der Form NAME=WERT: { $text }
 terminal-alarm = Es gibt keinen Alarm und keine Meldung { $name }
 terminal-name = Kein Zyklus, keine Variable, keine Meldung und kein Alarm hat diesen Namen: { $name }
@@ -126,6 +131,7 @@ terminal-setup-text = Datei mit der Maschineneinrichtung, siehe docs/setup.schem
 terminal-with-text = Definitionsdateien (.DEF) und Unterprogramme, die zum Programm gehören, oder ein Ordner damit
 terminal-program-text = Programm des Textes, das läuft, mit seinem Namen; ohne Angabe das erste
 terminal-arg-text = Wert für einen Parameter des Programms selbst, zum Beispiel DEPTH=5
+terminal-screens-text = Messergebnisbild jedes Aufrufs ausgeben, der eines zeigt (_CHBIT[10])
 terminal-strict-text = Anhalten, wenn ein Unterprogramm oder ein Wert der Maschine fehlt
 terminal-max-blocks-text = Abbruch nach so vielen Sätzen; lange Sätze, Felder und Bewegungen in Schleifen zählen mehrfach
 terminal-assumed-values = Angenommene Werte der Maschine: { $values }. In Klammern die Zeilennummern.
@@ -138,6 +144,7 @@ terminal-check-setup-text = Datei mit der Maschineneinrichtung, mit Werkzeugen u
 terminal-cycle-text = Name des Zyklus, zum Beispiel CYCLE977
 terminal-values-text = Werte, zum Beispiel _SETVAL=132
 terminal-comments-text = Zu jedem Parameter eine Kommentarzeile schreiben
+terminal-around-text = Baustein um den Aufruf: NAME, seine Felder als NAME.FELD=WERT; mehrfach möglich (siehe docs/de/around.md)
 terminal-style-text = Schreibweise: direct (Zuweisungen, dann der Aufruf; Vorbesetzung), indirect (CYCLE_PARA und Parametrieraufruf), operate (Argumentliste neuerer Steuerungen)
 terminal-print-text = Datei für den Ausdruck: was die Adressen V und W der NCT-Makros drucken
 terminal-log-text = Ordner für Messprotokolle und für Dateien, die das Programm schreibt; vorhandene Dateien werden nicht überschrieben
@@ -178,6 +185,7 @@ terminal-value-control = STEUERUNG
 terminal-value-setup = DATEI
 terminal-value-cycle = ZYKLUS
 terminal-value-values = WERTE
+terminal-value-around = NAME[.FELD=WERT]
 terminal-value-style = SCHREIBWEISE
 terminal-value-scenarios = SZENARIEN
 terminal-value-script = SKRIPT

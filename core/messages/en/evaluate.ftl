@@ -82,3 +82,14 @@ answer-why-within = The deviation is at most { $limit }{ $unit ->
        *[mm]  mm
     }.
 answer-why-measured = No limit is set for this measurement.
+
+screen-tool-probe = Calibrating the tool probe
+screen-tool = Measuring the tool
+screen-probe = Calibrating the workpiece probe
+screen-workpiece = Workpiece measurement
+screen-set = Setpoint
+screen-actual = Actual value
+screen-difference = Difference
+screen-until-end = Shown until the cycle ends.
+screen-until-start = Waits for NC START: acknowledge the measuring result screen.
+screen-until-next = Shown until the next measuring cycle is called.

@@ -5,6 +5,8 @@ report-generated = Generated from the catalogue; do not edit.
 report-known-simulated = Form, checks, program text and simulation.
 report-known-stops = Form, checks and program text; not simulated, a run stops at the call.
 report-default-machine = as on the machine
+report-around = Blocks around a measuring call
+report-around-intro = What a shop writes by hand around a measurement. `probewright write` adds a block with `--around NAME` and sets its fields with `--around NAME.FIELD=VALUE`; the page has them in the form. Labels begin with PW, and labels and variables are ones that the program does not use.
 report-jog = Measuring in JOG
 report-jog-intro = The masks of measuring in JOG: what each measures, where the probe is before NC start, what is written, and its fields with the names that a script of `probewright jog` uses. Axes are those of G17.
 report-jog-mask = In a script: { $mask }. Source: { $source }.
@@ -78,6 +80,9 @@ terminal-cycle = there is no cycle { $name }; “probewright cycles” lists the
 terminal-variant = { $cycle } has no variant { $number }
 terminal-parameter = { $cycle } has no parameter { $name }
 terminal-twice = { $name } is specified twice
+terminal-around = { $cycle } has no block { $name } here; there are: { $known }
+terminal-around-field = block { $name } has no field { $field }
+terminal-around-problem = { $name }: { $problem }
 terminal-pair = not NAME=VALUE: { $text }
 terminal-alarm = there is no alarm or message { $name }
 terminal-name = no cycle, data item, finding or alarm has this name: { $name }
@@ -130,6 +135,7 @@ terminal-setup-text = Setup file, see docs/setup.schema.json; without it, a mach
 terminal-with-text = Definition files (.DEF) and subprograms that belong to the program, or a folder of them
 terminal-program-text = Program of the text to run, by its name; without it the first one
 terminal-arg-text = Value for a parameter of the program itself, for example DEPTH=5
+terminal-screens-text = Print the measuring result screen of each call that shows one (_CHBIT[10])
 terminal-strict-text = Stop at a subprogram or a machine value that is missing
 terminal-max-blocks-text = Stop after this number of blocks; long ones, arrays and motions in loops count several times
 terminal-assumed-values = Machine values that were assumed: { $values }. Line numbers are in brackets.
@@ -142,6 +148,7 @@ terminal-check-setup-text = Setup file of the machine, with its tools and data; 
 terminal-cycle-text = Name of the cycle, for example CYCLE977
 terminal-values-text = Values, for example _SETVAL=132
 terminal-comments-text = Write a comment line for each parameter
+terminal-around-text = Block around the call: NAME, its fields as NAME.FIELD=VALUE; may be repeated (see docs/around.md)
 terminal-style-text = Call style: direct (assignments, then the call; default), indirect (CYCLE_PARA and a parameterising call), operate (argument list of newer controls)
 terminal-print-text = File for the printout: what addresses V and W of NCT macros print
 terminal-log-text = Folder for measurement logs and for files that the program writes; existing files are not overwritten
@@ -182,6 +189,7 @@ terminal-value-control = CONTROL
 terminal-value-setup = SETUP
 terminal-value-cycle = CYCLE
 terminal-value-values = VALUES
+terminal-value-around = NAME[.FIELD=VALUE]
 terminal-value-style = STYLE
 terminal-value-scenarios = SCENARIOS
 terminal-value-script = SCRIPT

@@ -83,3 +83,14 @@ answer-why-within = 偏差不超过 { $limit }{ $unit ->
        *[mm]  mm
     }。
 answer-why-measured = 此测量未设置限值。
+
+screen-tool-probe = 校准刀具测头
+screen-tool = 测量刀具
+screen-probe = 校准工件测头
+screen-workpiece = 工件测量
+screen-set = 设定值
+screen-actual = 实际值
+screen-difference = 差值
+screen-until-end = 显示到循环结束。
+screen-until-start = 等待 NC START：请确认测量结果画面。
+screen-until-next = 显示到调用下一个测量循环。

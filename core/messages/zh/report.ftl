@@ -5,6 +5,8 @@ report-generated = 由数据表生成，请勿编辑。
 report-known-simulated = 表单、检查、程序文本和模拟。
 report-known-stops = 表单、检查和程序文本；不模拟，运行时在调用处停止。
 report-default-machine = 与机床相同
+report-around = 测量调用前后的程序块
+report-around-intro = 车间在测量前后手工编写的内容。`probewright write` 用 `--around NAME` 添加程序块，用 `--around NAME.FIELD=VALUE` 设置其字段；页面在表单中提供。标签以 PW 开头，标签和变量都是程序中未使用的。
 report-jog = 在 JOG 中测量
 report-jog-intro = 在 JOG 中测量的输入画面：各自的测量内容、按 NC 启动前测头的位置、写入的内容，以及各字段在 `probewright jog` 脚本中的名称。轴为 G17 的轴。
 report-jog-mask = 脚本中：{ $mask }。来源：{ $source }。
@@ -74,6 +76,9 @@ terminal-cycle = 没有循环 { $name }；用“probewright cycles”列出全�
 terminal-variant = { $cycle } 没有测量方式 { $number }
 terminal-parameter = { $cycle } 没有参数 { $name }
 terminal-twice = { $name } 重复给出
+terminal-around = { $cycle } 在此没有程序块 { $name }；可用：{ $known }
+terminal-around-field = 程序块 { $name } 没有字段 { $field }
+terminal-around-problem = { $name }：{ $problem }
 terminal-pair = 不是 NAME=VALUE 的形式：{ $text }
 terminal-alarm = 没有报警或信息 { $name }
 terminal-name = 没有这个名称的循环、数据、检查结果或报警：{ $name }
@@ -126,6 +131,7 @@ terminal-setup-text = 机床配置文件，见 docs/setup.schema.json；省略�
 terminal-with-text = 属于该程序的定义文件（.DEF）和子程序，或包含它们的文件夹
 terminal-program-text = 要运行的程序的名称；不指定时为文本中的第一个
 terminal-arg-text = 程序自身参数的值，例如 DEPTH=5
+terminal-screens-text = 输出每个显示测量结果画面的调用的画面（_CHBIT[10]）
 terminal-strict-text = 缺少子程序或机床的值时停止
 terminal-max-blocks-text = 运行超过此程序段数时停止；长程序段、数组以及程序循环中的运动按多段计
 terminal-assumed-values = 假定的机床值：{ $values }。括号中为行号。
@@ -138,6 +144,7 @@ terminal-check-setup-text = 机床配置文件，包括刀具和数据；省略�
 terminal-cycle-text = 循环名称，例如 CYCLE977
 terminal-values-text = 参数值，例如 _SETVAL=132
 terminal-comments-text = 为每个参数写一行注释
+terminal-around-text = 调用前后的程序块：NAME，字段为 NAME.FIELD=VALUE；可重复（见 docs/zh/around.md）
 terminal-style-text = 书写方式：direct（先赋值，后调用；默认），indirect（CYCLE_PARA 和参数化调用），operate（新型控制系统的参数表）
 terminal-print-text = 打印输出文件：NCT 宏程序的地址 V 和 W 所打印的内容
 terminal-log-text = 存放测量记录和程序所写文件的文件夹；不覆盖已有文件
@@ -178,6 +185,7 @@ terminal-value-control = 控制系统
 terminal-value-setup = 文件
 terminal-value-cycle = 循环
 terminal-value-values = 值
+terminal-value-around = 名称[.字段=值]
 terminal-value-style = 书写方式
 terminal-value-scenarios = 场景
 terminal-value-script = 脚本

@@ -8,6 +8,7 @@ use crate::dialect::Dialect;
 use crate::entry::{Aim, Cycle, Param, ProbeUse, ResultField, Style, Typed, Unit};
 use crate::manual::Cited;
 use crate::name::Name;
+use crate::program::around::{Block, blocks};
 use crate::workpiece::free::EXAMPLES;
 use crate::{check, entry, jog};
 use serde::Serialize;
@@ -24,6 +25,20 @@ pub struct Catalogue {
     pub applicate: BTreeMap<Plane, usize>,
     /// Controls with which measuring in JOG can be practised.
     pub practises: Vec<Dialect>,
+    /// Blocks that can stand around a call.
+    pub around: Vec<AroundInfo>,
+}
+
+/// A block that can stand around a call.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct AroundInfo {
+    /// Control that has it.
+    pub control: Dialect,
+    /// Its name.
+    pub name: &'static str,
+    /// Key of its title; with `-words` by what it is found.
+    pub key: String,
 }
 
 /// A measuring cycle or macro.
@@ -127,7 +142,12 @@ pub struct ParameterInfo {
 pub fn catalogue() -> Catalogue {
     let applicate = Plane::ALL.map(|plane| (plane, plane.axes()[2])).into();
     let practises = [Dialect::Sinumerik, Dialect::Nct].into_iter().filter(|control| jog::measures(*control)).collect();
-    Catalogue { cycles: CYCLES.iter().map(|cycle| entry(cycle)).collect(), applicate, practises }
+    let of = |control: Dialect| {
+        let info = move |block: &Block| AroundInfo { control, name: block.name, key: block.key() };
+        blocks(control).iter().map(info)
+    };
+    let around = [Dialect::Sinumerik, Dialect::Nct].into_iter().flat_map(of).collect();
+    Catalogue { cycles: CYCLES.iter().map(|cycle| entry(cycle)).collect(), applicate, practises, around }
 }
 
 fn entry(cycle: &'static Cycle) -> CycleInfo {

@@ -4,6 +4,9 @@
 mod ahead;
 mod alarms;
 mod answer;
+mod around;
+#[cfg(test)]
+mod around_tests;
 mod beside;
 mod catalogue;
 mod certainty;
@@ -38,9 +41,13 @@ mod written;
 pub use crate::refused::Refused as Error;
 pub use ahead::{JogAhead, JogHidden, ahead};
 pub use alarms::{AlarmInfo, alarm, alarms};
-pub use answer::{Answer, Band, BandKind, Correction, Figure, Gauge, Limited, Mark, Needle, Part, Verdict};
+pub use answer::{
+    Answer, Band, BandKind, Correction, Figure, Gauge, Limited, Mark, Needle, Part, ResultScreen, ScreenRow,
+    ScreenUntil, ScreenValue, Verdict,
+};
+pub use around::{AroundBlock, AroundField, AroundRequest, AroundView, Wanted as AroundWanted, around};
 pub use beside::{Beside, FileStart};
-pub use catalogue::{Catalogue, CycleInfo, ParameterInfo, Purpose, Values, VariantInfo, catalogue};
+pub use catalogue::{AroundInfo, Catalogue, CycleInfo, ParameterInfo, Purpose, Values, VariantInfo, catalogue};
 pub use certainty::{Certain, CertainChances, CertaintyRequest, CertaintyView, Contribution, certainty};
 pub use changes::Change;
 pub use edit::{

@@ -88,6 +88,11 @@ const _: () = {
     }
 };
 
+/// Names of the calls that switch the log on and off.
+pub fn log_switches() -> [&'static str; 2] {
+    [cycle100::CYCLE100.name, cycle101::CYCLE101.name]
+}
+
 /// The entry with this name on this control (`CYCLE977`, `G110`; case does not matter).
 pub fn find(dialect: Dialect, name: &str) -> Option<&'static Cycle> {
     CYCLES.iter().copied().find(|cycle| cycle.dialect == dialect && cycle.name.eq_ignore_ascii_case(name))

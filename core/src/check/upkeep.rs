@@ -59,6 +59,13 @@ pub fn perform(machine: &mut dyn Machine, cycle: &Cycle) {
     }
 }
 
+/// The result screen is shown until the cycle ends.
+pub const SCREEN: &str = "evaluate-screen";
+/// It waits for NC START.
+pub const SCREEN_HALTS: &str = "evaluate-screen-halt";
+/// It stays until the next measuring cycle.
+pub const SCREEN_STAYS: &str = "evaluate-screen-stays";
+
 /// The measuring result screen at a call's end: its time, or that it waits for NC START (B:12564-12578, B:13953-13971).
 pub fn screen(machine: &mut dyn Machine, cycle: &Cycle) {
     let control = machine.control();
@@ -66,9 +73,9 @@ pub fn screen(machine: &mut dyn Machine, cycle: &Cycle) {
         return;
     }
     let key = match (control.bit("_CHBIT[11]"), control.bit("_CHBIT[18]")) {
-        (true, _) => "evaluate-screen-halt",
-        (false, true) => "evaluate-screen-stays",
-        (false, false) => "evaluate-screen",
+        (true, _) => SCREEN_HALTS,
+        (false, true) => SCREEN_STAYS,
+        (false, false) => SCREEN,
     };
     machine.record(Step::Decision { message: Message::new(key) });
 }

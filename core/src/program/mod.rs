@@ -2,6 +2,7 @@
 
 mod advice;
 pub(crate) mod arguments;
+pub mod around;
 mod arrivals;
 mod block_rules;
 pub mod calls;

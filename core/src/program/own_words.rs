@@ -94,7 +94,7 @@ pub fn mark_before(program: &Program, site: &CallSite) -> Option<(Mark, Span)> {
     Some((Mark::read(std::str::from_utf8(program.text(place)).ok()?)?, place))
 }
 
-fn sets_bits(program: &Program, block: &Block) -> bool {
+pub(super) fn sets_bits(program: &Program, block: &Block) -> bool {
     let words = program.words_of(block);
     let is_bit = |word: &Word| match &word.kind {
         WordKind::Assign { value, .. } => {

@@ -1,6 +1,7 @@
 //! Texts made from the catalogue and from results.
 
 pub mod alarms;
+pub mod around;
 pub mod explain;
 pub mod findings;
 mod help;

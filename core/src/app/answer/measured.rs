@@ -44,6 +44,7 @@ pub fn measured(called: &Called, outcome: &run::Outcome, values: &Values) -> Ans
     let verdict = verdict(&called.inputs, gauge.as_ref());
     let words = if figures.is_empty() { "record-missing" } else { verdict.key() };
     Answer {
+        screen: None,
         feature: feature(&called.inputs),
         corrected: Vec::new(),
         verdict,

@@ -4,6 +4,9 @@ mod corrected;
 mod figures;
 mod gauge;
 mod measured;
+mod screen;
+#[cfg(test)]
+mod screen_tests;
 #[cfg(test)]
 mod tests;
 
@@ -12,6 +15,7 @@ pub use corrected::{Correction, Part};
 pub use figures::Figure;
 pub use gauge::{Band, BandKind, Gauge, Limited, Mark, Needle};
 pub(super) use measured::{Deviates, Value, Values, deviates, measured};
+pub use screen::{ResultScreen, ScreenRow, ScreenUntil, ScreenValue};
 
 use super::outcome::Raised;
 use crate::catalogue::alarms;
@@ -48,6 +52,9 @@ pub struct Answer {
     pub alarm: Option<String>,
     /// Why, in a sentence.
     pub why: Message,
+    /// The measuring result screen; absent: the control shows none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub screen: Option<ResultScreen>,
 }
 
 /// What follows from a measurement.
@@ -105,6 +112,7 @@ pub(super) fn answer(called: &Called, outcome: &run::Outcome) -> Answer {
     let (verdict, alarm) = verdict(inputs, stop, raised, over, gauge.is_some());
     Answer {
         feature: feature(inputs),
+        screen: screen::screen(inputs, entries, called.at, &outcome.control),
         corrected: corrected::corrected(entries, &outcome.control),
         verdict,
         verdict_words: words(verdict, alarm),

@@ -79,6 +79,7 @@ fn answer(line: &JogLine, written: Vec<Correction>) -> Answer {
     let words = Message::new(verdict.key());
     let code = stopped.map(|raised| raised.code.clone()).filter(|code| !code.is_empty());
     Answer {
+        screen: None,
         feature: line.mask.clone().unwrap_or_else(|| Message::new("report-jog")),
         figures: figures.collect(),
         corrected: written,

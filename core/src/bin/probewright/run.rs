@@ -7,7 +7,7 @@ use crate::progress::Progress;
 use crate::protocol::Protocol;
 use crate::stream::Stream;
 use crate::{document, file, log, protocol, record, scan};
-use probewright_core::app::{Record, RunAssumed, RunView};
+use probewright_core::app::{Record, ResultScreen, RunAssumed, RunView, ScreenUntil};
 use probewright_core::catalogue::alarms;
 use probewright_core::control::Value;
 use probewright_core::diagnostic::{Diagnostic, Severity};
@@ -45,6 +45,8 @@ pub struct Arguments {
     arg: Vec<String>,
     #[arg(long)]
     strict: bool,
+    #[arg(long)]
+    screens: bool,
     #[arg(long, value_name = "NUMBER")]
     max_blocks: Option<u64>,
     #[arg(long)]
@@ -64,7 +66,7 @@ pub struct Arguments {
 impl Arguments {
     /// Whether all of the program and of the run is needed afterwards.
     fn whole(&self) -> bool {
-        self.json || self.record.is_some() || self.protocol.given()
+        self.json || self.screens || self.record.is_some() || self.protocol.given()
     }
 }
 
@@ -99,7 +101,16 @@ pub fn run(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Result<
         }
         text.print(&outcome.diagnostics, words, out)?;
         print_outcome(joined, &outcome, words, out)?;
-        outcome
+        if arguments.screens {
+            let view = RunView::new(setup.clone(), outcome, &joined.text);
+            view.answers
+                .iter()
+                .filter_map(|one| one.answer.screen.as_ref())
+                .try_for_each(|one| screen(one, words, out))?;
+            view.trace.outcome
+        } else {
+            outcome
+        }
     };
     if let Some(print) = &arguments.print {
         let lines = outcome.printed().into_iter();
@@ -323,4 +334,29 @@ fn print_results(joined: &Joined, outcome: &Outcome, words: &Words, out: &mut dy
         }
     }
     Ok(())
+}
+
+/// A measuring result screen, as the operator has it.
+fn screen(screen: &ResultScreen, words: &Words, out: &mut dyn Write) -> std::io::Result<()> {
+    let say = |message: &Message| words.text(message);
+    let head = format!("{} {}: {}", screen.cycle, screen.variant, say(&screen.measures));
+    writeln!(out, "\n{}\n{head}", say(&screen.title))?;
+    let columns = ["screen-set", "screen-actual", "screen-difference"].map(|key| words.key(key));
+    let [set, actual, difference] = columns;
+    writeln!(out, "{set:>16}{actual:>16}{difference:>16}")?;
+    let number = |value: Option<f64>| value.map_or(String::new(), |value| format!("{value:.6}"));
+    for row in &screen.rows {
+        let [set, actual, difference] = [row.set, row.actual, row.difference].map(number);
+        writeln!(out, "{set:>16}{actual:>16}{difference:>16} {:<4} {}", row.unit, say(&row.label))?;
+    }
+    for one in &screen.values {
+        let decimals = if one.unit.is_empty() { 0 } else { 6 };
+        writeln!(out, "{:>16.decimals$} {:<4} {}", one.value, one.unit, say(&one.label))?;
+    }
+    let until = match screen.until {
+        ScreenUntil::End => "screen-until-end",
+        ScreenUntil::Start => "screen-until-start",
+        ScreenUntil::Next => "screen-until-next",
+    };
+    writeln!(out, "{}", words.key(until))
 }

@@ -5,12 +5,14 @@ use crate::file::{Problem, complain, wrong};
 use probewright_core::control::Plane;
 use probewright_core::diagnostic::Severity;
 use probewright_core::dialect::Dialect;
-use probewright_core::entry::{Cycle, Typed};
+use probewright_core::entry::{Cycle, Inputs, Typed};
 use probewright_core::machine::setup::Setup;
 use probewright_core::message::Message;
+use probewright_core::program::around::{self, Block, Lines, blocks, problem};
 use probewright_core::program::write::snippet;
 use probewright_core::words::Words;
 use probewright_core::{catalogue, check};
+use std::collections::BTreeMap;
 use std::io::Write;
 use std::process::ExitCode;
 
@@ -23,6 +25,8 @@ pub struct Arguments {
     comments: bool,
     #[arg(long, default_value = "direct", hide_default_value = true, value_parser = ["direct", "indirect", "operate"])]
     style: String,
+    #[arg(long)]
+    around: Vec<String>,
 }
 
 /// Writes the snippet, or every problem to standard error.
@@ -43,8 +47,58 @@ pub fn write(asked: &Arguments, words: &Words, out: &mut dyn Write) -> Result<Ex
     if findings.any(|finding| finding.severity == Severity::Error) {
         return Ok(ExitCode::FAILURE);
     }
-    write!(out, "{}", written.text)?;
+    let inputs = check::read(cycle, &typed, &control, &mut Vec::new());
+    let lines = around(asked, &inputs, words)?;
+    write!(out, "{}{}{}", lines.before, written.text, lines.after)?;
     Ok(ExitCode::SUCCESS)
+}
+
+/// The lines of the blocks that are asked for, the outer ones outside.
+fn around(asked: &Arguments, inputs: &Inputs, words: &Words) -> Result<Lines, Problem> {
+    let mut wanted: BTreeMap<&str, Typed> = BTreeMap::new();
+    for one in &asked.around {
+        let (name, field) = one.split_once('.').map_or((one.as_str(), None), |(name, field)| (name, Some(field)));
+        let values = wanted.entry(name).or_default();
+        if let Some(field) = field {
+            let pair = field.split_once('=');
+            let (field, value) = pair.ok_or_else(|| wrong(Message::new("terminal-pair").text("text", one)))?;
+            values.insert(field.to_owned(), value.to_owned());
+        }
+    }
+    let suited = blocks(inputs.cycle.dialect).iter().filter(|block| block.suits(inputs));
+    let suited: Vec<&Block> = suited.collect();
+    for (name, values) in &wanted {
+        right(name, values, &suited, inputs, words)?;
+    }
+    let mut all = Lines::default();
+    for block in suited.iter().rev() {
+        let Some(values) = wanted.get(block.name) else { continue };
+        let taken = format!("{}{}", all.before, all.after);
+        let lines = around::write(block, values, inputs, &taken, &|key| words.key(key.to_owned()), asked.comments);
+        all.before.insert_str(0, &lines.before);
+        all.after.push_str(&lines.after);
+    }
+    Ok(all)
+}
+
+/// Refuses a block that does not suit the call, a field that it does not have, a value that cannot be written.
+fn right(name: &str, values: &Typed, suited: &[&Block], inputs: &Inputs, words: &Words) -> Result<(), Problem> {
+    let known = || suited.iter().map(|block| block.name).collect::<Vec<_>>().join(", ");
+    let Some(block) = suited.iter().find(|block| block.name == name) else {
+        let message = Message::new("terminal-around").text("cycle", inputs.cycle.name).text("name", name);
+        return Err(wrong(message.text("known", known())));
+    };
+    if let Some(field) = values.keys().find(|field| block.field(field).is_none()) {
+        return Err(wrong(Message::new("terminal-around-field").text("name", name).text("field", field)));
+    }
+    for field in block.fields {
+        if let Some(problem) = problem(block, field, values, inputs) {
+            let place = format!("{name}.{}", field.name);
+            let message = Message::new("terminal-around-problem").text("name", place);
+            return Err(wrong(message.text("problem", words.text(&problem))));
+        }
+    }
+    Ok(())
 }
 
 fn find(name: &str) -> Result<&'static Cycle, Problem> {

@@ -121,6 +121,8 @@ fn the_types_of_the_page_are_those_of_the_core() {
     types.visit::<Changed>();
     types.visit::<ConvertRequest>();
     types.visit::<Converted>();
+    types.visit::<AroundRequest>();
+    types.visit::<AroundView>();
     types.visit::<CureRequest>();
     types.visit::<CuredAll>();
     types.visit::<Step>();

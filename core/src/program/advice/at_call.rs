@@ -147,7 +147,7 @@ fn known_machine(control: &Control) -> bool {
 
 /// The array and the number of the data in which the probe of a call is calibrated.
 fn probe_data(inputs: &Inputs) -> Option<(&'static str, i64)> {
-    Some((inputs.cycle.purpose.probe_array(inputs), inputs.given(names::PRNUM)? as i64 % 100))
+    Some((inputs.cycle.purpose.probe_array(inputs), inputs.any(names::PRNUM)? as i64 % 100))
 }
 
 /// Whether the program calibrates this probe anywhere.

@@ -1,0 +1,50 @@
+//! The measuring result screens of all measurements.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+use crate::app::{FormRequest, ResultScreen, ScreenUntil, form};
+use crate::catalogue::{CYCLES, example::example};
+use crate::dialect::Dialect;
+use crate::entry::{Cycle, Variant};
+
+/// The screen of a worked measurement with these switches, its part 0.06 mm too large and 0.1 mm off in X.
+fn screen(cycle: &'static Cycle, variant: &Variant, bits: [i32; 3]) -> Option<ResultScreen> {
+    let data = serde_json::json!({ "_CHBIT[10]": bits[0], "_CHBIT[11]": bits[1], "_CHBIT[18]": bits[2] });
+    let asked = serde_json::json!({
+        "control": cycle.dialect, "cycle": cycle.name, "values": example(cycle, variant), "predict": true,
+        "setup": { "own": { "data": data } }, "errors": { "part": { "size": 0.06, "dx": 0.1 } },
+    });
+    let outcome = form(serde_json::from_value::<FormRequest>(asked).unwrap()).unwrap().outcome?;
+    outcome.answer?.screen
+}
+
+// oracle: manual B:12564-12578 (when it is shown, and how long), B:12586-12616 (what is on it), B:12627-12644 (the
+// difference is actual value minus setpoint)
+#[test]
+fn each_measurement_has_its_screen() {
+    let mut titles = std::collections::BTreeSet::new();
+    let cycles = CYCLES.iter().filter(|cycle| cycle.dialect == Dialect::Sinumerik && cycle.purpose.probe.measures());
+    let mut compared = 0;
+    for (cycle, variant) in cycles.flat_map(|cycle| cycle.variants.iter().map(move |one| (*cycle, one))) {
+        assert_eq!(screen(cycle, variant, [0, 1, 0]), None, "{}", cycle.name);
+        let Some(shown) = screen(cycle, variant, [1, 1, 0]) else { continue }; // an alarm stopped it before
+        assert_eq!((shown.until, shown.cycle, shown.variant), (ScreenUntil::Start, cycle.name, variant.number));
+        assert!(!shown.rows.is_empty() && !shown.values.is_empty(), "{} {}", cycle.name, variant.number);
+        titles.insert(shown.title.key.to_string());
+        let centred = |key: &str| key.starts_with("result-actual-size") || key.starts_with("result-actual-centre");
+        for row in shown.rows.iter().filter(|row| centred(&row.label.key)) {
+            let [set, actual, difference] = [row.set, row.actual, row.difference].map(Option::unwrap);
+            assert!((actual - set - difference).abs() < 1e-9, "{} {} {row:?}", cycle.name, variant.number);
+            compared += 1;
+        }
+    }
+    assert_eq!(titles.len(), 4, "{titles:?}");
+    assert!(compared > 20, "{compared}");
+}
+
+// oracle: manual B:12569-12578
+#[test]
+fn it_goes_with_the_cycle_or_stays() {
+    let cycle = CYCLES.iter().copied().find(|cycle| cycle.purpose.probe.measures()).unwrap();
+    let until = |bits| screen(cycle, &cycle.variants[0], bits).map(|shown| shown.until);
+    assert_eq!([until([1, 0, 0]), until([1, 0, 1])], [Some(ScreenUntil::End), Some(ScreenUntil::Next)]);
+}

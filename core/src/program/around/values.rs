@@ -1,0 +1,138 @@
+//! The values of a block: what a field has where nothing is entered, what it offers, what is wrong with it.
+
+use super::{Block, Field, Kind, results};
+use crate::check::{Parsed, parse};
+use crate::dialect::Dialect;
+use crate::entry::{Element, Inputs, Typed};
+use crate::message::Message;
+use crate::program::of_control::is_of_control;
+use crate::range::Range;
+
+/// Longest name of a label, a program or a file, characters.
+const LONGEST_NAME: usize = 31;
+/// Longest operator text, characters.
+const LONGEST_TEXT: usize = 100;
+/// Numbers of programs and blocks of NCT.
+const NUMBERS: Range = Range::closed(1.0, 9999.0);
+
+/// What a field has where nothing is entered; a text: the key of it.
+pub fn preset(field: &Field, inputs: &Inputs) -> String {
+    match field.kind {
+        Kind::Result => results(inputs).first().map_or_else(String::new, |field| field.name.to_owned()),
+        Kind::Side => side(inputs).to_owned(),
+        _ => field.preset.to_owned(),
+    }
+}
+
+/// Material is left where a hole is too small, and where a shaft is too large.
+fn side(inputs: &Inputs) -> &'static str {
+    match inputs.cycle.aim(inputs).map(|aim| aim.element) {
+        Some(Element::Hole | Element::Groove | Element::Pocket) => "<",
+        _ => ">",
+    }
+}
+
+/// What a field offers: values with the key of the name of each; empty: anything can be entered.
+pub fn choices(field: &Field, inputs: &Inputs) -> Vec<(&'static str, &'static str)> {
+    match field.kind {
+        Kind::Result => results(inputs).into_iter().map(|field| (field.name, field.key)).collect(),
+        Kind::Side => vec![("<", "around-side-small"), (">", "around-side-large")],
+        _ => Vec::new(),
+    }
+}
+
+/// What is entered; else what counts without; a text in the reader's words.
+pub(super) fn value(field: &Field, typed: &Typed, inputs: &Inputs, words: &dyn Fn(&str) -> String) -> String {
+    let entered = typed.get(field.name).map(|text| text.trim()).filter(|text| !text.is_empty());
+    match (entered, &field.kind) {
+        (None, Kind::Text) => text(&words(field.preset), inputs.cycle.dialect),
+        (None, _) => preset(field, inputs),
+        (Some(entered), Kind::Text) => text(entered, inputs.cycle.dialect),
+        (Some(entered), kind) => plain(kind, entered),
+    }
+}
+
+/// As a program has it: a number with a point, a name in upper case.
+fn plain(kind: &Kind, entered: &str) -> String {
+    match (kind, parse(entered)) {
+        (Kind::Limit | Kind::Whole(_) | Kind::Variable(_), Parsed::Number(number)) => format!("{number}"),
+        (Kind::Program | Kind::Target | Kind::Result, _) => entered.to_ascii_uppercase(),
+        _ => entered.to_owned(),
+    }
+}
+
+/// A text without what would end it.
+fn text(entered: &str, dialect: Dialect) -> String {
+    let ends = |one: char| one.is_control() || one == '"' || dialect == Dialect::Nct && matches!(one, '(' | ')');
+    entered
+        .chars()
+        .map(|one| if ends(one) { ' ' } else { one })
+        .take(LONGEST_TEXT)
+        .collect::<String>()
+        .trim()
+        .to_owned()
+}
+
+/// What is wrong with a value; none: it can be written.
+pub fn problem(block: &Block, field: &Field, typed: &Typed, inputs: &Inputs) -> Option<Message> {
+    let value = value(field, typed, inputs, &|key| key.to_owned());
+    let about = |key: &'static str| Some(Message::new(key).text("value", &value));
+    if value.is_empty() {
+        return Some(Message::new("around-wrong-missing"));
+    }
+    let nct = inputs.cycle.dialect == Dialect::Nct;
+    match &field.kind {
+        Kind::Result | Kind::Side => {
+            let known = choices(field, inputs).iter().any(|(choice, _)| *choice == value);
+            if known { None } else { about("around-wrong-choice") }
+        }
+        Kind::Limit => match parse(&value) {
+            Parsed::Number(number) if number >= 0.0 => None,
+            _ => about("around-wrong-limit"),
+        },
+        Kind::Whole(range) | Kind::Variable(range) => whole(&value, range),
+        Kind::Program | Kind::Target if nct => whole(&value, &NUMBERS),
+        Kind::Program | Kind::Target => {
+            let free = is_program(&value) && !is_of_control(&value);
+            if free { None } else { about("around-wrong-name") }
+        }
+        Kind::File => {
+            if is_name(&value) {
+                None
+            } else {
+                about("around-wrong-name")
+            }
+        }
+        Kind::Text => None,
+    }
+    .or_else(|| twice(block, field, typed, inputs))
+}
+
+/// Two programs of a block are not the same one.
+fn twice(block: &Block, field: &Field, typed: &Typed, inputs: &Inputs) -> Option<Message> {
+    let of = |field: &Field| value(field, typed, inputs, &|key| key.to_owned());
+    let others = block.fields.iter().take_while(|other| other.name != field.name);
+    let mut programs = others.filter(|other| matches!(other.kind, Kind::Program));
+    let own = matches!(field.kind, Kind::Program).then(|| of(field))?;
+    programs.any(|other| of(other) == own).then(|| Message::new("around-wrong-twice").text("value", &own))
+}
+
+fn whole(value: &str, range: &Range) -> Option<Message> {
+    let inside = matches!(parse(value), Parsed::Number(number) if number.fract() == 0.0 && range.contains(number));
+    let message = || Message::new("around-wrong-whole").number("min", range.min).number("max", range.max);
+    (!inside).then(message)
+}
+
+/// Names of programs and labels begin with two letters or underscores; L with a number is one of programs.
+fn is_program(text: &str) -> bool {
+    let mut begin = text.bytes().take(2);
+    let letters = text.len() > 1 && begin.all(|byte| byte.is_ascii_alphabetic() || byte == b'_');
+    let number =
+        text.strip_prefix('L').is_some_and(|rest| !rest.is_empty() && rest.bytes().all(|one| one.is_ascii_digit()));
+    is_name(text) && (letters || number)
+}
+
+fn is_name(text: &str) -> bool {
+    let begins = text.starts_with(|one: char| one.is_ascii_alphabetic() || one == '_');
+    begins && text.len() <= LONGEST_NAME && text.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'_')
+}

@@ -1,0 +1,99 @@
+//! The blocks around a measuring call as a person reads them: `docs/around.md` has each with its fields and its lines.
+
+use crate::catalogue::{CYCLES, example::example};
+use crate::check;
+use crate::control::Plane;
+use crate::dialect::Dialect;
+use crate::entry::{Inputs, Typed};
+use crate::machine::Setup;
+use crate::program::around::{Block, Field, block, blocks, preset, write};
+use crate::report::markdown::{line, rows};
+use crate::words::Words;
+use std::collections::BTreeMap;
+
+const CONTROLS: [(Dialect, &str); 2] = [(Dialect::Sinumerik, "SINUMERIK"), (Dialect::Nct, "NCT")];
+
+/// The page of all blocks, Markdown.
+pub fn page(words: &Words) -> String {
+    let mut text = String::new();
+    line(&mut text, &format!("# {}", words.key("report-around")));
+    line(&mut text, &words.key("report-around-intro"));
+    line(&mut text, &words.key("report-generated"));
+    for one in blocks(Dialect::Sinumerik) {
+        section(&mut text, one, words);
+    }
+    text.trim_end().to_owned() + "\n"
+}
+
+fn section(text: &mut String, one: &'static Block, words: &Words) {
+    line(text, &format!("## {}: `{}`", words.key(one.key()), one.name));
+    line(text, &words.key(format!("{}-help", one.key())));
+    let there: Vec<_> =
+        CONTROLS.iter().filter_map(|(dialect, name)| Some((*name, block(*dialect, one.name)?))).collect();
+    let mut fields: BTreeMap<&str, (usize, String, Vec<String>)> = BTreeMap::new();
+    for (name, block) in &there {
+        for (at, field) in block.fields.iter().enumerate() {
+            let (_, _, presets) = fields.entry(field.name).or_insert((at, words.key(field.key()), Vec::new()));
+            presets.extend(shown(block, field, words).map(|value| format!("{value} ({name})")));
+        }
+    }
+    let mut cells: Vec<_> = fields.into_iter().collect();
+    cells.sort_by_key(|(_, (at, ..))| *at);
+    let cells = cells.into_iter().map(|(name, (_, label, presets))| [format!("`{name}`"), label, presets.join(", ")]);
+    rows(text, ["name", "meaning", "default"], cells, words);
+    for (name, block) in there {
+        if let Some(lines) = sample(block, words) {
+            line(text, &format!("{name}:"));
+            line(text, &format!("```\n{}\n```", lines.trim_end()));
+        }
+    }
+}
+
+/// What a field has where nothing is entered; none: it has to be entered.
+fn shown(block: &'static Block, field: &Field, words: &Words) -> Option<String> {
+    let (inputs, _) = suited(block)?;
+    let value = preset(field, &inputs);
+    let value = if value.starts_with("around-") { words.key(value) } else { value };
+    (!value.is_empty()).then(|| format!("`{value}`"))
+}
+
+/// The lines around the first call that it suits.
+fn sample(block: &'static Block, words: &Words) -> Option<String> {
+    let (inputs, cycle) = suited(block)?;
+    let given = |field: &&Field| preset(field, &inputs).is_empty();
+    let programs = block.fields.iter().filter(given).enumerate();
+    let name = |at: usize| {
+        if inputs.cycle.dialect == Dialect::Nct { format!("{}", 110 + at) } else { format!("L{}", 110 + at) }
+    };
+    let typed: Typed = programs.map(|(at, field)| (field.name.to_owned(), name(at))).collect();
+    let lines = write(block, &typed, &inputs, "", &|key| words.key(key.to_owned()), true);
+    Some(format!("{}{cycle} …\n{}", lines.before, lines.after))
+}
+
+/// The first call of the catalogue that a block suits, measured without a correction where it has to be.
+fn suited(block: &'static Block) -> Option<(Inputs, &'static str)> {
+    let of_control = CYCLES.iter().filter(|cycle| blocks(cycle.dialect).iter().any(|one| std::ptr::eq(one, block)));
+    let mut calls = of_control.flat_map(|cycle| cycle.variants.iter().map(move |variant| (*cycle, variant)));
+    calls.find_map(|(cycle, variant)| {
+        let control = Setup::for_cycle(cycle, cycle.purpose.machine.plane().unwrap_or(Plane::G17)).control;
+        [None, Some("0")].into_iter().find_map(|target| {
+            let mut typed = example(cycle, variant);
+            if let Some(target) = target {
+                typed.insert("_KNUM".to_owned(), target.to_owned());
+            }
+            let inputs = check::read(cycle, &typed, &control, &mut Vec::new());
+            block.suits(&inputs).then_some((inputs, cycle.name))
+        })
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::report::held;
+
+    // oracle: self
+    #[test]
+    fn the_page_is_the_generated_one() {
+        held("around.md", super::page);
+    }
+}
