@@ -10,6 +10,7 @@ mod help;
 mod jog;
 mod joined;
 mod log;
+mod machine;
 mod progress;
 mod protocol;
 mod read;
@@ -58,6 +59,7 @@ enum Command {
     Run(Box<run::Arguments>),
     Test(test::Arguments),
     Jog(jog::Arguments),
+    Machine(machine::Arguments),
 }
 
 fn main() -> ExitCode {
@@ -106,6 +108,7 @@ fn run_command(command: Command, words: &Words, out: &mut dyn Write) -> Result<E
         Command::Run(asked) => run::run(&asked, words, out),
         Command::Test(asked) => test::test(&asked, words, out),
         Command::Jog(asked) => jog::jog(&asked, words, out),
+        Command::Machine(asked) => machine::machine(&asked, words, out),
     }
 }
 
