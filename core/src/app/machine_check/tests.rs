@@ -27,8 +27,8 @@ fn told(view: &MachineCheckView) -> Vec<(&str, Severity, &str)> {
         .collect()
 }
 
-// oracle: manual B:12971 and B:16183 (20 names, 30 names), B:16186 and A:14245 (70, 80), B:16187 and A:14251 (600, 800),
-// B:16189 and A:14263 (14, 16; 27, 29 on an NCU 3)
+// oracle: manual B:12971 and B:16183 (20 names, 30 names), B:16186 and A:14245 (70, 80), B:16187 and A:14251 (600,
+// 800), B:16189 and A:14263 (14, 16; 27, 29 on an NCU 3)
 #[test]
 fn two_figures_of_the_manual_are_two_limits_with_both_places() {
     for (number, error, warning, enough) in
@@ -230,7 +230,8 @@ proptest! {
     // oracle: self
     #[test]
     fn any_export_is_checked(text in any::<String>(), lines in prop::collection::vec(
-        "(N[0-9]{0,5} )?(\\$M[NCA]_)?(MD28082|_CVAL|_TP|DEF NCK REAL _WP|E_MESS_MT_DL)(\\[[0-9,-]{0,4}\\])?=.{0,9}", 0..9,
+        "(N[0-9]{0,5} )?(\\$M[NCA]_)?(MD28082|_CVAL|_TP|DEF NCK REAL _WP|E_MESS_MT_DL)(\\[[0-9,-]{0,4}\\])?=.{0,9}",
+        0..9,
     )) {
         let _ = machine_check(asked(&text));
         let _ = machine_check(asked(&lines.join("\n")));

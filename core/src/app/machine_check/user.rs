@@ -35,7 +35,7 @@ const ALARMS: [(&str, u32); 6] = [
     ("_TPW[", 61309),
 ];
 
-/// A switch that does nothing without another: the switch, what the other has to be, how bad it is, place in the manual.
+/// A switch that does nothing without another: the switch, what the other has to be, how bad it is, its place.
 const NEEDED: [(&str, &str, f64, Severity, &str); 5] = [
     ("_CHBIT[18]", "_CHBIT[11]", 0.0, Warning, "B:13968-13971"),
     ("_CHBIT[18]", "_CHBIT[10]", 1.0, Warning, "B:13968-13971"),
@@ -108,7 +108,7 @@ fn ranges(given: &Exported, files: &Files, without: &[Use]) -> Vec<MachineFault>
         if element.internal || fits(element, *value) || unused(gud, without) {
             continue;
         }
-        // positioning at no speed matters with collision monitoring only, the direction where the cycle chooses the speed
+        // no speed of positioning matters with collision monitoring only, no direction where the cycle has the speed
         let watched = |switch: &str, as_delivered: f64| given.number(switch, *channel).unwrap_or(as_delivered);
         match name.as_str() {
             "_SPEED[1]" | "_SPEED[2]" if watched("_CHBIT[2]", 1.0) == 0.0 => continue,
