@@ -250,6 +250,15 @@ pub fn machine(request: &str) -> Result<String, JsError> {
     Ok(json::answer(request, app::machine)?)
 }
 
+/// `MachineCheckRequest` → `MachineCheckView`.
+///
+/// # Errors
+/// A request of the wrong shape, or files without a datum that measuring needs.
+#[wasm_bindgen]
+pub fn machine_check(request: &str) -> Result<String, JsError> {
+    Ok(json::answer(request, app::machine_check)?)
+}
+
 /// `EquipRequest` → `EquipView`.
 ///
 /// # Errors

@@ -957,6 +957,14 @@ export type ExpectedCall = {
   results: { [key in string]: number },
 };
 
+/** A file that the control exported. */
+export type ExportedFile = {
+  /** Its name. */
+  name: string,
+  /** Its text. */
+  text: string,
+};
+
 /** A field of a form. Numbers of `fallback` and `range` are in its unit. */
 export type Field = {
   /** Parameter, as the manual writes it: `_SETVAL`. */
@@ -1297,6 +1305,60 @@ export type LineKind = "grid" | "edge" | "zone" | "limit" | "nominal" | "axisX" 
 /** The machine of a question. */
 export type Machine = OwnMachine | Setup;
 
+/** What the control exported. */
+export type MachineCheckRequest = {
+  /** Its files, or what somebody typed, in their order. */
+  files: Array<ExportedFile>,
+  /** What this machine does not do. */
+  without: Array<Use>,
+  /** Whether the control is an NCU 3, for which the manual prints larger memories (B:12955, A:14218). */
+  large: boolean,
+};
+
+/** What is wrong with a machine. */
+export type MachineCheckView = {
+  /** What is wrong, the worst first, then in the order of the manual. */
+  faults: Array<MachineFault>,
+  /** How many data were compared and what came of it, in words. */
+  ending: Message,
+  /** Data that were read and are known to a check. */
+  read: number,
+  /** Machine data that measuring needs and that no file gives, as their control calls them. */
+  missing: Array<string>,
+  /** The lines to change, as a control reads them; empty: none. */
+  changes: string,
+};
+
+/** Something that is wrong with a machine. */
+export type MachineFault = {
+  /** How bad it is. */
+  severity: Severity,
+  /** The datum: `MD18120`, `_CBIT[3]`. */
+  name: string,
+  /** Its identifier, where it is a machine datum and the manual prints it. */
+  identifier: string,
+  /** The channel that it is of. */
+  channel?: number,
+  /** Its value, as a control writes it; empty: it has none. */
+  value: string,
+  /** What is wrong. */
+  message: Message,
+  /** What follows from it. */
+  effect?: Message,
+  /** The alarm that follows: number and, in words, meaning. */
+  alarm?: Message,
+  /** What it has to be, by each place that says so. */
+  limits: Array<MachineLimit>,
+  /** As delivered, with system software up to 59 and from 63 on; the same once. */
+  delivered: Array<string>,
+  /** Where it stands. */
+  place?: MachinePlace,
+  /** Place in the manual. */
+  source: Cited,
+  /** The line that mends it, as a control reads it; empty: none does. */
+  change: string,
+};
+
 /** A datum of the machine. */
 export type MachineField = {
   /** Which field of data it belongs to. */
@@ -1326,6 +1388,24 @@ export type MachineGroup = {
   label: Message,
   /** Data of the group. */
   fields: Array<MachineField>,
+};
+
+/** A value that a datum has to be or to reach. */
+export type MachineLimit = {
+  /** How bad it is to miss it. */
+  severity: Severity,
+  /** The value, as a control writes it. */
+  value: string,
+  /** Place in the manual. */
+  source: Cited,
+};
+
+/** A line of a file. */
+export type MachinePlace = {
+  /** Name of the file. */
+  file: string,
+  /** Line, from 1. */
+  line: number,
 };
 
 /** A typed value that is not taken. */
@@ -3026,6 +3106,9 @@ export type Unit = "" | "active length" | "basic length" | "mm" | "deg" | "basic
 
 /** G function that chooses the system of units; those below 70 are of NCT. */
 export type UnitFunction = "G20" | "G21" | "G70" | "G71" | "G700" | "G710";
+
+/** What a machine measures with. */
+export type Use = "cycles" | "jog" | "log" | "tool-probe";
 
 /** Values of a variant as typed, by parameter name. */
 export type Values = {

@@ -19,6 +19,7 @@ mod form;
 mod help;
 mod jog;
 mod machine;
+mod machine_check;
 mod outcome;
 mod places;
 mod practice;
@@ -61,6 +62,9 @@ pub use form::{FormRequest, FormView, form};
 pub use help::{HelpRequest, HelpResult, HelpSection, HelpText, HelpView, help};
 pub use jog::{JogLine, JogPoint, JogResult, JogView, JogWrong, jog};
 pub use machine::{MachineField, MachineGroup, MachineProblem, MachineRequest, MachineView, machine};
+pub use machine_check::{
+    ExportedFile, MachineCheckRequest, MachineCheckView, MachineFault, MachineLimit, MachinePlace, machine_check,
+};
 pub use outcome::{Measured, Outcome, Raised};
 pub use practice::{
     PracticeActivation, PracticeApproach, PracticeArea, PracticeCall, PracticeCallRequest, PracticeChoice,

@@ -18,6 +18,8 @@ import type {
   FormView,
   HelpRequest,
   HelpView,
+  MachineCheckRequest,
+  MachineCheckView,
   MachineRequest,
   MachineView,
   PracticeApproach,
@@ -100,6 +102,8 @@ export interface ProgramCore extends FormCore {
   alarms(): AlarmInfo[];
   help(request: HelpRequest): HelpView;
   machine(request: MachineRequest): MachineView;
+  /** `why`: nothing of it can be checked. */
+  machineCheck(request: MachineCheckRequest): MachineCheckView | { why: string };
   equip(request: EquipRequest): EquipView;
   story(request: FormRequest): Story;
   practise(request: PracticeRequest): Practised;
@@ -257,6 +261,14 @@ function setupOf(text: string): Setup | { why: string } {
   }
 }
 
+function machineCheck(request: MachineCheckRequest): MachineCheckView | { why: string } {
+  try {
+    return JSON.parse(wasm.machine_check(JSON.stringify(request))) as MachineCheckView;
+  } catch (problem) {
+    return { why: problem instanceof Error ? problem.message : String(problem) };
+  }
+}
+
 function recogniser(): ReturnType<ProgramCore["recogniser"]> {
   const its = new wasm.Recogniser();
   return { take: bytes => its.take(bytes), finish: () => JSON.parse(its.finish()) as Recognised };
@@ -285,6 +297,7 @@ export async function loadProgramCore(): Promise<ProgramCore> {
     help: request => JSON.parse(call("help", () => wasm.help(JSON.stringify(request)))) as HelpView,
     equip: request => JSON.parse(call("equip", () => wasm.equip(JSON.stringify(request)))) as EquipView,
     story: request => JSON.parse(call("story", () => wasm.story(JSON.stringify(request)))) as Story,
+    machineCheck,
     machine: request => JSON.parse(call("machine", () => wasm.machine(JSON.stringify(request)))) as MachineView,
     catalogue: () => JSON.parse(call("catalogue", () => wasm.catalogue())) as Catalogue,
     alarms: () => JSON.parse(call("alarms", () => wasm.alarms())) as AlarmInfo[],

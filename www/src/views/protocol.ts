@@ -37,7 +37,7 @@ export interface Protocol {
 }
 
 /** A text as control and office write it. */
-async function textOf(file: File): Promise<string> {
+export async function textOf(file: File): Promise<string> {
   const bytes = await file.arrayBuffer();
   try {
     return new TextDecoder("utf-8", { fatal: true }).decode(bytes);

@@ -10,6 +10,7 @@ mod help;
 mod jog;
 mod joined;
 mod log;
+mod machine;
 mod progress;
 mod protocol;
 mod read;
@@ -60,6 +61,7 @@ enum Command {
     Series(series::Arguments),
     Test(test::Arguments),
     Jog(jog::Arguments),
+    Machine(machine::Arguments),
 }
 
 fn main() -> ExitCode {
@@ -109,6 +111,7 @@ fn run_command(command: Command, words: &Words, out: &mut dyn Write) -> Result<E
         Command::Series(asked) => series::series(&asked, words, out),
         Command::Test(asked) => test::test(&asked, words, out),
         Command::Jog(asked) => jog::jog(&asked, words, out),
+        Command::Machine(asked) => machine::machine(&asked, words, out),
     }
 }
 
