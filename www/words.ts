@@ -11,7 +11,7 @@ const FALLBACK = "en"; // comes with the page, in two parts; another language co
 // words stand from the start, but for those of such a file.
 const LATER_WORDS = /^([a-z0-9-]+-(help|hint|words)|result-[a-z0-9-]+) =/;
 const LATER_FILES = [
-  ..."advice alarms changes datum digitizing equipment evaluate exported jog jog-program".split(" "),
+  ..."advice alarms braking changes datum digitizing equipment evaluate exported jog jog-program".split(" "),
   ..."lathe lists logging machine-check nct protocol record run scenarios setup syntax tool-probe twin".split(" "),
 ].map(name => `${name}.ftl`);
 const OF_CYCLE = /^cycle\d+\.ftl$/;

@@ -5,6 +5,7 @@ mod ahead;
 mod alarms;
 mod answer;
 mod beside;
+mod braking;
 mod catalogue;
 mod changes;
 mod edit;
@@ -39,6 +40,7 @@ pub use ahead::{JogAhead, JogHidden, ahead};
 pub use alarms::{AlarmInfo, alarm, alarms};
 pub use answer::{Answer, Band, BandKind, Correction, Figure, Gauge, Limited, Mark, Needle, Part, Verdict};
 pub use beside::{Beside, FileStart};
+pub use braking::{BrakingPath, BrakingRequest, BrakingView, braking};
 pub use catalogue::{Catalogue, CycleInfo, ParameterInfo, Purpose, Values, VariantInfo, catalogue};
 pub use changes::Change;
 pub use edit::{
@@ -53,7 +55,8 @@ pub use help::{HelpRequest, HelpResult, HelpSection, HelpText, HelpView, help};
 pub use jog::{JogLine, JogPoint, JogResult, JogView, JogWrong, jog};
 pub use machine::{MachineField, MachineGroup, MachineProblem, MachineRequest, MachineView, machine};
 pub use machine_check::{
-    ExportedFile, MachineCheckRequest, MachineCheckView, MachineFault, MachineLimit, MachinePlace, machine_check,
+    ExportedFile, MachineAxis, MachineCheckRequest, MachineCheckView, MachineFault, MachineLimit, MachinePlace,
+    machine_check,
 };
 pub use outcome::{Measured, Outcome, Raised};
 pub use practice::{
