@@ -1,6 +1,7 @@
 //! State of the control: plane, units, frames, tools, user data. Plain data with the manual's bookkeeping.
 
 pub mod arrays;
+pub mod braking;
 mod calibration;
 pub mod data;
 pub mod definitions;

@@ -1,6 +1,7 @@
 //! Measuring cycles from a terminal: the same catalogue, checks, reader and simulation as the page.
 
 mod alarms;
+mod braking;
 mod check;
 mod cycles;
 mod document;
@@ -62,6 +63,7 @@ enum Command {
     Test(test::Arguments),
     Jog(jog::Arguments),
     Machine(machine::Arguments),
+    Braking(braking::Arguments),
 }
 
 fn main() -> ExitCode {
@@ -111,6 +113,7 @@ fn run_command(command: Command, words: &Words, out: &mut dyn Write) -> Result<E
         Command::Series(asked) => series::series(&asked, words, out),
         Command::Test(asked) => test::test(&asked, words, out),
         Command::Jog(asked) => jog::jog(&asked, words, out),
+        Command::Braking(asked) => braking::braking(&asked, words, out),
         Command::Machine(asked) => machine::machine(&asked, words, out),
     }
 }
