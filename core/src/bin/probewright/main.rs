@@ -10,6 +10,7 @@ mod help;
 mod jog;
 mod joined;
 mod log;
+mod lsp;
 mod progress;
 mod protocol;
 mod read;
@@ -58,6 +59,7 @@ enum Command {
     Run(Box<run::Arguments>),
     Test(test::Arguments),
     Jog(jog::Arguments),
+    Lsp,
 }
 
 fn main() -> ExitCode {
@@ -68,7 +70,7 @@ fn main() -> ExitCode {
         Err(problem) => (Words::english(), Err(problem)),
     };
     let result = known
-        .and_then(|()| run_command(command, &words, &mut out))
+        .and_then(|()| run_command(command, lang.as_deref(), &words, &mut out))
         .and_then(|code| out.flush().map(|()| code).map_err(Problem::from));
     match result {
         Ok(code) => code,
@@ -95,7 +97,7 @@ fn words(asked: Option<&str>) -> Result<Words, Problem> {
     })
 }
 
-fn run_command(command: Command, words: &Words, out: &mut dyn Write) -> Result<ExitCode, Problem> {
+fn run_command(command: Command, lang: Option<&str>, words: &Words, out: &mut dyn Write) -> Result<ExitCode, Problem> {
     match command {
         Command::Alarms { number, json } => alarms::alarms(number.as_deref(), json, words, out),
         Command::Explain { name, variant } => explain::explain(&name, variant, words, out),
@@ -106,6 +108,8 @@ fn run_command(command: Command, words: &Words, out: &mut dyn Write) -> Result<E
         Command::Run(asked) => run::run(&asked, words, out),
         Command::Test(asked) => test::test(&asked, words, out),
         Command::Jog(asked) => jog::jog(&asked, words, out),
+        // words of its own: the client may ask for another language
+        Command::Lsp => lsp::serve(self::words(lang)?, out),
     }
 }
 
