@@ -118,6 +118,7 @@ terminal-test-about = Szenarien ausführen: Programme mit ihrer Maschine und dem
 terminal-jog-about = Eine Sitzung Messen in JOG aus einem Skript ausführen; Rückgabewert 1, wenn eine Zeile abgelehnt oder ein Alarm ausgelöst wird
 terminal-machine-about = Eine Maschine anhand dessen prüfen, was ihre Steuerung ausgegeben hat: Maschinendaten, Definitionsdateien, Serieninbetriebnahme als Text; Exit-Status 1 bei einem Fehler
 terminal-braking-about = Den Bremsweg eines Vorschubs berechnen oder den größten Vorschub für eine Auslenkung, die der Messtaster zulässt
+terminal-lsp-about = Einen Editor über das Language Server Protocol bedienen, auf Standardein- und -ausgabe: Befunde, Erklärungen, Vervollständigung, Korrekturen
 terminal-help-about = Hilfe zu einem Befehl anzeigen
 terminal-lang-text = Sprache der Ausgabe, zum Beispiel de; Vorbesetzung: Sprache der Umgebung, sonst Englisch
 terminal-json-text = Ausgabe als JSON
@@ -225,3 +226,29 @@ terminal-wrong-missing = Es fehlt: { $name }
 terminal-wrong-conflict = { $name } und { $other } schließen einander aus
 terminal-wrong-similar = Ähnlich: { $known }
 terminal-wrong-more = Hilfe: --help
+
+# Der Sprachserver: was ein Editor zeigt.
+
+server-malformed = keine Nachricht des Language Server Protocol
+server-length = der Kopf der Nachricht hat keine gültige Angabe Content-Length
+server-method = der Server hat keine Methode { $name }
+server-parameters = falsche Parameter von { $name }: { $text }
+server-early = die Sitzung hat noch nicht begonnen: zuerst initialize senden
+server-twice = die Sitzung hat schon begonnen
+server-ended = die Sitzung ist beendet
+server-cancelled = die Anfrage wurde abgebrochen
+server-setting = Einstellung „probewright“: { $text }
+server-call = Aufruf von { $cycle }
+server-all = { $label } (alle dieser Art: { $count })
+server-direct = Als Zuweisungen und Aufruf schreiben
+server-indirect = Als Parametrieraufruf schreiben (CYCLE_PARA)
+server-operate = Als Argumentliste neuerer Steuerungen schreiben
+server-every-direct = Alle Aufrufe als Zuweisungen und Aufruf schreiben
+server-every-indirect = Alle Aufrufe als Parametrieraufrufe schreiben (CYCLE_PARA)
+server-every-operate = Alle Aufrufe als Argumentlisten neuerer Steuerungen schreiben
+server-unit = Einheit: { $unit }
+server-fallback = Vorbesetzung: { $value }
+server-label = Sprungmarke
+server-subprogram = Unterprogrammaufruf
+server-program = Programm
+server-source = Quelle: { $source }

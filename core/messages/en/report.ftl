@@ -122,6 +122,7 @@ terminal-test-about = Run scenarios: programs with their machine and the expecte
 terminal-jog-about = Carry out a session of measuring in JOG from a script; exit status 1 if a line is refused or an alarm is raised
 terminal-machine-about = Check a machine by what its control exported: machine data, definition files, series archive as text; exit status 1 if there is an error
 terminal-braking-about = Calculate the braking path of a feed, or the largest feed for a deflection that the probe allows
+terminal-lsp-about = Serve an editor by the Language Server Protocol, on standard input and output: findings, explanations, completion, fixes
 terminal-help-about = Show the help of a command
 terminal-lang-text = Language of the output, for example zh; default: language of the environment, otherwise English
 terminal-json-text = Output as JSON
@@ -229,3 +230,29 @@ terminal-wrong-missing = missing: { $name }
 terminal-wrong-conflict = { $name } and { $other } exclude each other
 terminal-wrong-similar = Similar: { $known }
 terminal-wrong-more = Help: --help
+
+# The language server: what an editor shows.
+
+server-malformed = not a message of the Language Server Protocol
+server-length = the header of the message has no valid Content-Length
+server-method = the server has no method { $name }
+server-parameters = wrong parameters of { $name }: { $text }
+server-early = the session has not begun: send initialize first
+server-twice = the session has begun already
+server-ended = the session has ended
+server-cancelled = the request was cancelled
+server-setting = setting “probewright”: { $text }
+server-call = Call of { $cycle }
+server-all = { $label } (all of this kind: { $count })
+server-direct = Write as assignments and call
+server-indirect = Write as parameterising call (CYCLE_PARA)
+server-operate = Write as argument list of newer controls
+server-every-direct = Write all calls as assignments and call
+server-every-indirect = Write all calls as parameterising calls (CYCLE_PARA)
+server-every-operate = Write all calls as argument lists of newer controls
+server-unit = Unit: { $unit }
+server-fallback = Default: { $value }
+server-label = Label
+server-subprogram = Subprogram call
+server-program = Program
+server-source = Source: { $source }

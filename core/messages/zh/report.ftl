@@ -118,6 +118,7 @@ terminal-test-about = 运行场景：程序、机床及预期结果；有不符�
 terminal-jog-about = 按脚本执行在 JOG 中测量的操作；有一行被拒绝或有报警时退出状态为 1
 terminal-machine-about = 根据控制系统导出的内容检查机床：机床数据、定义文件、文本形式的批量调试存档；有错误时退出状态为 1
 terminal-braking-about = 计算进给率的制动距离，或测头允许的偏转量对应的最大进给率
+terminal-lsp-about = 通过语言服务器协议（LSP）在标准输入和输出上为编辑器服务：检查结果、说明、补全、修正
 terminal-help-about = 显示命令的帮助
 terminal-lang-text = 输出语言，例如 zh；默认用环境的语言，否则用英语
 terminal-json-text = 以 JSON 输出
@@ -225,3 +226,29 @@ terminal-wrong-missing = 缺少：{ $name }
 terminal-wrong-conflict = { $name } 和 { $other } 不能同时使用
 terminal-wrong-similar = 相近：{ $known }
 terminal-wrong-more = 帮助：--help
+
+# 语言服务器：编辑器显示的内容。
+
+server-malformed = 不是语言服务器协议（LSP）的消息
+server-length = 消息头中没有有效的 Content-Length
+server-method = 服务器没有方法 { $name }
+server-parameters = { $name } 的参数错误：{ $text }
+server-early = 会话尚未开始：请先发送 initialize
+server-twice = 会话已经开始
+server-ended = 会话已结束
+server-cancelled = 请求已取消
+server-setting = 设置“probewright”：{ $text }
+server-call = { $cycle } 的调用
+server-all = { $label }（所有同类：{ $count }）
+server-direct = 改写为赋值和调用
+server-indirect = 改写为参数化调用（CYCLE_PARA）
+server-operate = 改写为新型控制系统的参数表
+server-every-direct = 将所有调用改写为赋值和调用
+server-every-indirect = 将所有调用改写为参数化调用（CYCLE_PARA）
+server-every-operate = 将所有调用改写为新型控制系统的参数表
+server-unit = 单位：{ $unit }
+server-fallback = 默认值：{ $value }
+server-label = 跳转标记
+server-subprogram = 子程序调用
+server-program = 程序
+server-source = 出处：{ $source }
