@@ -19,6 +19,5 @@ const MACHINE: [&str; 28] = [
 /// Whether nothing in the simulation reads a datum, by its name with or without index.
 pub fn idle(name: &str) -> bool {
     let stem = super::arrays::stem(name);
-    let listed = |one: &&str| *one == name || *one == stem;
-    USER.iter().chain(&MACHINE).any(|one| listed(&one))
+    USER.iter().chain(&MACHINE).any(|one| *one == name || *one == stem)
 }
