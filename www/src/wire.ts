@@ -892,6 +892,8 @@ export type EquipmentCell = {
   range: Range,
   /** Place in the manual. */
   source: Cited,
+  /** Whether nothing in the simulation reads it. */
+  idle: boolean,
 } & ({ "kind": "real" } | { "kind": "integer" } | { "kind": "choice",
   /** The numbers. */
   choices: Array<number>,
@@ -1425,6 +1427,8 @@ export type MachineField = {
   range: Range,
   /** Place in the manual. */
   source: Cited,
+  /** Whether nothing in the simulation reads it. */
+  idle: boolean,
 } & ({ "kind": "real" } | { "kind": "integer" } | { "kind": "choice",
   /** The numbers. */
   choices: Array<number>,

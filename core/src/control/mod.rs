@@ -10,6 +10,7 @@ pub mod environments;
 mod frame;
 pub mod frames;
 pub mod gud;
+pub mod idle;
 pub mod limits;
 pub mod machine_data;
 mod machine_sort;

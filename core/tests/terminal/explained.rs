@@ -114,6 +114,8 @@ fn machine_checks_what_a_control_exported() {
         view["faults"].as_array().unwrap().iter().map(|fault| fault["message"]["key"].as_str()).collect();
     assert!(left.iter().all(|key| *key == Some("machine-check-twice")), "{left:?}");
     assert_eq!((again.status.code(), view["changes"].as_str()), (Some(0), Some("")));
+    let archive = file("check.arc", b"\x00\x01\x02\xfe\x00\r\nMD18118=7\r\n\x00\x00\x7f\x00");
+    assert_eq!(probewright(&["machine", &archive]).status.code(), Some(0));
     let nothing = probewright(&["machine", &file("check.nc", b"N10 G0 X1\n")]);
     assert_eq!(nothing.status.code(), Some(2));
 }
