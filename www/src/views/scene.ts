@@ -15,6 +15,7 @@ import { createCube } from "./cube";
 import { createExaggeration } from "./exaggerate";
 import { createLegend, type Thinned } from "./legend";
 import { missing } from "./missing";
+import { createScreen } from "./screen";
 import { type Stage, tool } from "./stage";
 import { createTimeline, paceAt } from "./timeline";
 
@@ -40,6 +41,7 @@ export function createScene(
   const empty = el("p", { class: "empty over-stage", role: "status", hidden: true });
   const legend = createLegend();
   const errors = createExaggeration(store);
+  const screen = createScreen(store);
   const corner = el("div", { class: "stage-corner" });
   const section = tool("cut", t("view-section"), () => store.update({ view: { section: !store.state.view.section } }));
   const central = tool("perspective", t("view-central"), () =>
@@ -53,6 +55,7 @@ export function createScene(
     el("div", { class: "stage-cards" }, errors.root, legend.root),
     corner,
     empty,
+    screen.root,
   );
   root.append(
     el("header", { class: "panel-head" }, el("h2", {}, t("view-title")), segments, tools),
@@ -120,6 +123,7 @@ export function createScene(
     const { preview, failed } = stage;
     const data = (preview && derived.scene?.(state.view.errors)) ?? NOTHING;
     drawTimeline(state, derived, data.begins);
+    screen.draw(state, derived);
     if (failed) setText(note, t("view-failed", { problem: failed }));
     if (!preview) {
       if (root.offsetParent) stage.fetch();
