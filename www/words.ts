@@ -11,8 +11,9 @@ const FALLBACK = "en"; // comes with the page, in two parts; another language co
 // words stand from the start, but for those of such a file.
 const LATER_WORDS = /^([a-z0-9-]+-(help|hint|words)|result-[a-z0-9-]+) =/;
 const LATER_FILES = [
-  ..."advice alarms around changes datum digitizing equipment evaluate jog jog-program".split(" "),
-  ..."lathe lists logging nct protocol record run scenarios setup syntax tool-probe twin".split(" "),
+  ..."advice alarms around changes datum digitizing equipment evaluate exported jog jog-program".split(" "),
+  ..."lathe lists logging machine-check nct protocol record run scenarios series setup syntax tool-probe".split(" "),
+  "twin",
 ].map(name => `${name}.ftl`);
 const OF_CYCLE = /^cycle\d+\.ftl$/;
 const TERMINAL = "report.ftl"; // never shown in the page

@@ -101,6 +101,7 @@ pub mod report;
 pub mod run;
 pub mod scan;
 pub mod scene;
+pub mod series;
 pub mod setup_file;
 pub mod support;
 pub mod syntax;

@@ -34,6 +34,31 @@ describe("the answer", () => {
     await context.close();
   });
 
+  // oracle: JCGM 100, eq. 10 (two touches and their calibration, each with σ: U = 2 · 2σ), hand (on the limit a hole is
+  // good or scrap)
+  test("says how certain it is, where the probe spreads only", async () => {
+    const { context, page, problems } = await start(chrome, { viewport: { width: 1280, height: 800 } });
+    const certain = bar(page).locator(".answer-certain");
+    await verdict(page).waitFor();
+    assert.equal(await certain.count(), 0);
+    await openErrors(page);
+    const repeatability = page.locator(".slider:has(#error-probe-repeatability) .figure");
+    await error(page, "size").fill("0");
+    await repeatability.fill("0.001");
+    await page.locator('.answer-certain[data-proof="good"]').waitFor();
+    const [, expanded] = (await certain.textContent()).match(/Ø \d+\.\d{4} ± (0\.00\d\d).mm \(k = 2\)/);
+    assert.ok(Math.abs(Number(expanded) - 0.004) < 0.0007, expanded);
+    await error(page, "size").fill("0.03");
+    await page.locator('.answer-certain[data-proof="undecided"]').waitFor();
+    assert.match(await certain.textContent(), /good \d.*%, scrap \d.*%.*Largest contribution: .* of the probe/s);
+    const box = await bar(page).boundingBox();
+    assert.ok(box.y >= 0 && box.y + box.height <= 800, JSON.stringify(box));
+    await repeatability.fill("0");
+    await certain.waitFor({ state: "detached" });
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
   // oracle: hand
   test("names the alarm, and does not rely on colour", async () => {
     const { context, page } = await start(chrome);

@@ -1,4 +1,4 @@
-// Blocks around a call: chosen in the form, inserted with the call, found again, changed and taken away.
+// Blocks around a call: chosen in the form, written with the call, found again, changed and taken away.
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { shared } from "./browser.mjs";
@@ -10,7 +10,7 @@ describe("around", () => {
   const chrome = shared("neither", { before, after });
 
   // oracle: hand: what the block says it does
-  test("a rework loop is found by search, inserted, opened again, changed and removed", async () => {
+  test("a rework loop is found by search, written, read again, changed and removed", async () => {
     const { context, page, problems } = await start(chrome);
     await searchTasks(page, "rework");
     await page.locator('.hit[data-kind="around"]').first().click();
@@ -19,9 +19,7 @@ describe("around", () => {
     assert.equal(await page.locator("#around-rework-program").getAttribute("aria-invalid"), "true");
     await page.locator("#around-rework-program").fill("L120");
     await page.locator("#around-rework-program").press("Tab");
-    await page.waitForFunction(() => document.querySelector(".snippet")?.textContent.includes("GOTOB PW1_AGAIN"));
-    await page.locator(".insert").click();
-    await page.waitForFunction(() => document.querySelector(".placed") && !document.querySelector(".placed").hidden);
+    await page.getByRole("button", { name: "Write into program" }).click();
     const text = await programWhen(page, now => now.includes("PW1_GOOD"));
     assert.match(text, /PW1_AGAIN:[\s\S]*CYCLE977[\s\S]*L120[\s\S]*PW1_GOOD:/);
     assert.ok(await box(page, "rework").isChecked());

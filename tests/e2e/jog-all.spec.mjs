@@ -1,6 +1,7 @@
 // Every function of measuring in JOG, from the menu to what is written: by mouse, by keyboard alone, by touch. What is
 // done is tests/data/jog_practice.json, which the core's tests carry out too. Each function is done in one of these
-// ways; PROBEWRIGHT_JOG=all does each in all of them, which takes three times as long.
+// ways, each way in another language; PROBEWRIGHT_JOG=all does all functions in all ways and languages, which takes
+// nine times as long.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, describe, test } from "node:test";
@@ -154,14 +155,68 @@ describe("every function of measuring in JOG, from the menu to what is written",
       { hasTouch: true, viewport: { width: 768, height: 1024 } },
     ],
   ];
-  for (const [turn, [how, hands, options]] of ways.entries())
+  const languages = ["en-GB", "de-DE", "zh-CN"];
+  const runs = ways.flatMap(([how, hands, options], turn) =>
+    (ALL ? languages : [languages[turn]]).map(locale => [`${how}, ${locale}`, turn, hands, { ...options, locale }]),
+  );
+  for (const [how, turn, hands, options] of runs)
     test(how, async () => {
       const asked = { path: "#jog", serviceWorkers: "block", ...options };
       const { context, page, problems } = await open(chrome.browser, asked);
+      assert.equal(await page.locator("html").getAttribute("lang"), options.locale.slice(0, 2));
       await everything(page, hands(page), { keyboard: hands === keys, turn, turns: ways.length });
       assert.deepEqual(problems, []);
       await context.close();
     });
+});
+
+/** A machine whose table swivels about A and B, and a block on it that leans by two degrees about X. */
+const SWIVELS = {
+  name: "Mill",
+  control: "sinumerik",
+  plane: "G17",
+  active: { tool: 9, edge: 1 },
+  tools: { 9: { name: "PROBE", edges: { 1: { type: 710, length: [50, 0, 0], radius: 3 } } } },
+  data: { "MD20080[4]": "A", "MD20080[5]": "B", "MD30300[4]": 1, "MD30300[5]": 1 },
+  machine: { rotaryCentre: [0, 0, -80] },
+  probe: { radius: 3, length: 50 },
+  workpiece: [{ shape: "block", size: [200, 160, 40], at: [0, 0, 10], errors: { tilt: [2, 0, 0] } }],
+  position: [-20, -20, 60],
+};
+
+describe("align plane on a machine with a swivel table", () => {
+  // oracle: manual (B:3880-3906: fields of the activation screen) and hand (the part leans 2 degrees about X)
+  test("sets the probe perpendicular to the plane", async () => {
+    const { context, page, problems } = await open(chrome.browser, { path: "#jog", serviceWorkers: "block" });
+    await page.locator("[data-function]").first().waitFor();
+    const buffer = Buffer.from(JSON.stringify(SWIVELS));
+    await page
+      .locator(".top input[type=file]")
+      .setInputFiles({ name: "Mill.json", mimeType: "application/json", buffer });
+    await page.locator("#machine-menu-open", { hasText: "Mill" }).waitFor();
+    const hands = pointer("click", (one, x, y) => one.mouse.click(x, y))(page);
+    await hands.press(at.step);
+    await hands.press(at.function("align_plane"));
+    for (const line of WORK.align_plane.slice(0, -1)) await carryOut(page, hands, line);
+    const screen = page.locator(".jog-activation");
+    await screen.waitFor();
+    const fields = () => screen.locator(".jog-field").evaluateAll(all => all.map(one => one.dataset.field));
+    assert.deepEqual(await fields(), ["activate", "orient", "retract"]);
+    await hands.choose(at.field("orient"), "no");
+    await page.locator(at.field("retract")).waitFor({ state: "detached" });
+    await hands.choose(at.field("orient"), "yes");
+    await page.locator(at.field("retract")).waitFor();
+    await screen.getByText("swivels when you press NC start").waitFor();
+    const height = async () =>
+      Number(await page.locator(".jog-positions tbody tr").last().locator("td").last().textContent());
+    const before = await height();
+    await hands.start();
+    await screen.waitFor({ state: "detached" });
+    assert.ok((await height()) > before, "the probe was retracted");
+    await page.locator('.jog-deviation[data-near="true"]').waitFor();
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
 });
 
 describe("a measurement in JOG and a program", () => {

@@ -164,6 +164,24 @@ test("picking finds the entry under the pointer and nothing far from all paths",
   assert.equal(pick.pick(built.lines, looking, view, 5, 5), null);
 });
 
+// oracle: self (what is kept from the scene before is what would be made anew) and hand
+test("solids are made anew when one of them is another, and only then", () => {
+  const copy = () => ({ ...hole, vertices: hole.vertices.slice(), corners: hole.corners.slice() });
+  const first = scene.buildScene(hole, colours.LIGHT);
+  const lines = scene.buildScene({ ...copy(), ways: new Float64Array(), wayEntries: new Uint32Array() }, colours.LIGHT);
+  assert.equal(lines.mesh, first.mesh);
+  assert.equal(lines.ground, first.ground);
+  assert.ok(lines.lines.length < first.lines.length);
+  const moved = copy();
+  moved.vertices[0] += 0.001;
+  const other = scene.buildScene(moved, colours.LIGHT);
+  assert.notEqual(other.mesh, first.mesh);
+  assert.notDeepEqual(other.mesh.vertices, first.mesh.vertices);
+  assert.notDeepEqual(scene.buildScene(copy(), colours.DARK).mesh.vertices, first.mesh.vertices);
+  const again = scene.buildScene(copy(), colours.LIGHT);
+  assert.deepEqual([again.mesh, again.ends, again.box], [first.mesh, first.ends, first.box]);
+});
+
 // oracle: hand
 test("the probe is on its motion and stays where the last motion ended", () => {
   const motions = [

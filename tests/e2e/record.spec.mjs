@@ -89,6 +89,7 @@ describe("a protocol of the machine", () => {
     await give("Nr;Soll;Ist\nBohrung;132;132,15\nPlatz;77;77,2\n");
     await page.locator('.protocol-top:has-text("1 line of the protocol fits")').waitFor();
     await page.locator('.whole-row[data-verdict="scrap"]:has-text("132.150")').waitFor();
+    await page.locator('.answer-line:has-text("132.150"):has-text("real.csv")').waitFor();
     assert.match(await page.locator(".protocol-unfit summary").textContent(), /2/);
     assert.match(await page.locator(".protocol-unfit").textContent(), /Platz;77;77,2/);
     await page.waitForFunction(() => document.querySelectorAll(".stage path.arrow").length === 4);
@@ -99,6 +100,7 @@ describe("a protocol of the machine", () => {
     await page.locator('.protocol-top:has-text("fit")').waitFor();
     await page.getByRole("button", { name: "Back to the simulation" }).click();
     await page.locator('.whole-row:has-text("132.150")').waitFor({ state: "detached" });
+    await page.locator('.answer-line:has-text("132.030"):has-text("Corrects T20 D1")').waitFor();
     await page.waitForFunction(() => document.querySelectorAll(".stage path.arrow").length === 0);
     await give("---\n");
     await page.locator('.protocol [role="alert"]:has-text("empty")').waitFor();

@@ -77,6 +77,15 @@ pub fn cure(request: &str) -> Result<String, JsError> {
     Ok(json::answer(request, app::cure)?)
 }
 
+/// `CertaintyRequest` → `CertaintyView`: measures a thousand times, so it is asked on a thread of its own.
+///
+/// # Errors
+/// A request of the wrong shape.
+#[wasm_bindgen]
+pub fn certainty(request: &str) -> Result<String, JsError> {
+    Ok(json::answer(request, app::certainty)?)
+}
+
 /// An answer, and what is to be seen of it.
 #[wasm_bindgen]
 pub struct Answer {
@@ -239,6 +248,15 @@ pub fn setup(text: &str) -> Result<String, JsError> {
 #[wasm_bindgen]
 pub fn machine(request: &str) -> Result<String, JsError> {
     Ok(json::answer(request, app::machine)?)
+}
+
+/// `MachineCheckRequest` → `MachineCheckView`.
+///
+/// # Errors
+/// A request of the wrong shape, or files without a datum that measuring needs.
+#[wasm_bindgen]
+pub fn machine_check(request: &str) -> Result<String, JsError> {
+    Ok(json::answer(request, app::machine_check)?)
 }
 
 /// `EquipRequest` → `EquipView`.

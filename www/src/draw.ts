@@ -32,10 +32,16 @@ const before = new WeakMap<Element, Attributes>();
 const continues = (there: Element, { tag, attributes }: Drawn): boolean =>
   there.tagName === tag && before.get(there)?.["data-field"] === attributes["data-field"];
 
+/** Without asking what stands there: `before` knows. */
+function write(node: Element, name: string, value: Attributes[string]): void {
+  if (typeof value === "number" || typeof value === "string") node.setAttribute(name, String(value));
+  else setAttribute(node, name, value);
+}
+
 function dress(node: Element, { attributes, text, children }: Drawn): void {
   const old = before.get(node) ?? {};
   for (const name in old) if (!(name in attributes)) node.removeAttribute(name);
-  for (const name in attributes) if (attributes[name] !== old[name]) setAttribute(node, name, attributes[name]);
+  for (const name in attributes) if (attributes[name] !== old[name]) write(node, name, attributes[name]);
   before.set(node, attributes);
   if (children) drawInto(node, children);
   else setText(node, text ?? "");

@@ -27,7 +27,8 @@ export function watchTheme(changed: () => void): void {
 /** In the page, and in the frame that the system draws around it. */
 export function drawTheme(theme: Theme): void {
   const shown = shownTheme(theme);
-  setAttribute(document.documentElement, "data-theme", shown);
+  if (document.documentElement.dataset.theme === shown) return;
+  document.documentElement.dataset.theme = shown;
   for (const colour of document.querySelectorAll<HTMLMetaElement>('meta[name="theme-color"]'))
     setAttribute(colour, "media", colour.dataset.theme === shown ? "all" : "not all");
 }

@@ -344,6 +344,64 @@ export type CellText = {
   text: string,
 };
 
+/** A quantity and how certain it is, in its unit. */
+export type Certain = {
+  /** The result that has its actual value: `_OVR[4]`. */
+  name: string,
+  /** Meaning of the result. */
+  label: Message,
+  /** What stands before its value: `Ø`, `X`; empty: nothing. */
+  symbol: string,
+  /** Unit at the call. */
+  unit: string,
+  /** As measured. */
+  value: number,
+  /** Expanded uncertainty U = k·u, rounded up to two digits. */
+  expanded: number,
+  /** Decimal places with which value and U are told. */
+  decimals: number,
+  /** Coverage factor k. */
+  coverage: number,
+  /** What the value proves about its limits; absent: nothing limits it. */
+  proof?: Proof,
+  /** The same as chances of the part at hand. */
+  chances?: CertainChances,
+  /** What makes how much of the uncertainty, the largest first. */
+  budget: Array<Contribution>,
+};
+
+/** Chances of a part, together 1. */
+export type CertainChances = {
+  /** Within the limits. */
+  good: number,
+  /** Beyond, metal is left. */
+  rework: number,
+  /** Beyond, metal is missing. */
+  scrap: number,
+  /** Beyond, of what can be neither. */
+  beyond: number,
+};
+
+/** What is asked. */
+export type CertaintyRequest = {
+  /** The form, with its machine and the errors of part and probe. */
+  form: FormRequest,
+  /** How many measurements, up to 10 000; absent: 1000. */
+  runs?: number,
+  /** Seed of all random numbers; absent: 1. */
+  seed?: number,
+};
+
+/** How certain a measurement is. */
+export type CertaintyView = {
+  /** How many measurements; 0: nothing spreads, or nothing is measured. */
+  runs: number,
+  /** Share of them that did not come to an end. */
+  stopped: number,
+  /** What was measured, the most important first. */
+  figures: Array<Certain>,
+};
+
 /** The limits of a form. Places are mm, or degrees where the limits are angles, from the setpoint. */
 export type Chain = {
   /** The scale reaches so far on both sides. */
@@ -466,6 +524,14 @@ export type ComparedValue = {
   before: string | null,
   /** As it would arrive; null: it would not, and the value is lost. */
   after: string | null,
+};
+
+/** A part of an uncertainty. */
+export type Contribution = {
+  /** What it comes from. */
+  source: Message,
+  /** Share of the square of the uncertainty. */
+  share: number,
 };
 
 /** A call in another style. */
@@ -891,6 +957,14 @@ export type ExpectedCall = {
   results: { [key in string]: number },
 };
 
+/** A file that the control exported. */
+export type ExportedFile = {
+  /** Its name. */
+  name: string,
+  /** Its text. */
+  text: string,
+};
+
 /** A field of a form. Numbers of `fallback` and `range` are in its unit. */
 export type Field = {
   /** Parameter, as the manual writes it: `_SETVAL`. */
@@ -1231,6 +1305,60 @@ export type LineKind = "grid" | "edge" | "zone" | "limit" | "nominal" | "axisX" 
 /** The machine of a question. */
 export type Machine = OwnMachine | Setup;
 
+/** What the control exported. */
+export type MachineCheckRequest = {
+  /** Its files, or what somebody typed, in their order. */
+  files: Array<ExportedFile>,
+  /** What this machine does not do. */
+  without: Array<Use>,
+  /** Whether the control is an NCU 3, for which the manual prints larger memories (B:12955, A:14218). */
+  large: boolean,
+};
+
+/** What is wrong with a machine. */
+export type MachineCheckView = {
+  /** What is wrong, the worst first, then in the order of the manual. */
+  faults: Array<MachineFault>,
+  /** How many data were compared and what came of it, in words. */
+  ending: Message,
+  /** Data that were read and are known to a check. */
+  read: number,
+  /** Machine data that measuring needs and that no file gives, as their control calls them. */
+  missing: Array<string>,
+  /** The lines to change, as a control reads them; empty: none. */
+  changes: string,
+};
+
+/** Something that is wrong with a machine. */
+export type MachineFault = {
+  /** How bad it is. */
+  severity: Severity,
+  /** The datum: `MD18120`, `_CBIT[3]`. */
+  name: string,
+  /** Its identifier, where it is a machine datum and the manual prints it. */
+  identifier: string,
+  /** The channel that it is of. */
+  channel?: number,
+  /** Its value, as a control writes it; empty: it has none. */
+  value: string,
+  /** What is wrong. */
+  message: Message,
+  /** What follows from it. */
+  effect?: Message,
+  /** The alarm that follows: number and, in words, meaning. */
+  alarm?: Message,
+  /** What it has to be, by each place that says so. */
+  limits: Array<MachineLimit>,
+  /** As delivered, with system software up to 59 and from 63 on; the same once. */
+  delivered: Array<string>,
+  /** Where it stands. */
+  place?: MachinePlace,
+  /** Place in the manual. */
+  source: Cited,
+  /** The line that mends it, as a control reads it; empty: none does. */
+  change: string,
+};
+
 /** A datum of the machine. */
 export type MachineField = {
   /** Which field of data it belongs to. */
@@ -1260,6 +1388,24 @@ export type MachineGroup = {
   label: Message,
   /** Data of the group. */
   fields: Array<MachineField>,
+};
+
+/** A value that a datum has to be or to reach. */
+export type MachineLimit = {
+  /** How bad it is to miss it. */
+  severity: Severity,
+  /** The value, as a control writes it. */
+  value: string,
+  /** Place in the manual. */
+  source: Cited,
+};
+
+/** A line of a file. */
+export type MachinePlace = {
+  /** Name of the file. */
+  file: string,
+  /** Line, from 1. */
+  line: number,
 };
 
 /** A typed value that is not taken. */
@@ -1348,6 +1494,9 @@ export type Message = {
   /** Named arguments, in no particular order. */
   args: { [key in string]: Arg },
 };
+
+/** What a run of a series starts from. */
+export type Mode = "independent" | "production";
 
 /** Kind of a motion. */
 export type MotionKind = "rapid" | "positioning" | "measuring" | "retract";
@@ -1502,6 +1651,9 @@ export type PassedOver = {
   /** Line of the word, from 1. */
   line: number,
 };
+
+/** How often something is drawn. */
+export type Per = "part" | "series";
 
 /** A drawing. */
 export type Picture = {
@@ -1924,6 +2076,9 @@ export type ProgramPlace = {
 
 /** Text of a program in UTF-8. Who asks several questions about a long one holds it, so that none brings it anew. */
 export type ProgramText = string;
+
+/** What a measurement proves by ISO 14253-1: who proves bears the uncertainty. */
+export type Proof = "good" | "undecided" | "bad";
 
 /** Columns of a table, each by its heading or its number from 1. */
 export type ProtocolColumns = {
@@ -2541,6 +2696,18 @@ export type ScreenValue = {
   unit: string,
 };
 
+/** A program that is run many times, and what varies from run to run. */
+export type Series = {
+  /** How many runs, 1 to 1 000 000. */
+  runs: number,
+  /** Seed of all random numbers. */
+  seed: number,
+  /** Whether a run finds what the one before it left. */
+  mode: Mode,
+  /** What varies. The scatter of a touch is the repeatability of the probe. */
+  vary: Array<Vary>,
+};
+
 /**
  * Machine, probe and part that a program runs on. Lengths in mm, angles in degree, feeds in mm/min, except in `data`,
  * where a number means what it means on the control: on an inch machine most lengths are inches. Unknown members are
@@ -2591,10 +2758,15 @@ export type Setup = {
   clock?: string,
   /** Skip levels 0 to 9 that are switched on at the panel: blocks with `/`, `/1` to `/9` are left out. */
   skip: Array<number>,
+  /** What varies where a program is run many times: `probewright series`. */
+  series?: Series,
 };
 
 /** How bad it is. */
 export type Severity = "error" | "warning" | "note";
+
+/** How numbers are spread about their mean. */
+export type Shape = "normal" | "uniform" | "triangular" | "arcsine";
 
 /** What a figure stands for. */
 export type ShapeKind = "material" | "cut" | "edge" | "zone" | "probe" | "path" | "dimension" | "label" | "tolerance" | "axis" | "touch";
@@ -2935,6 +3107,9 @@ export type Unit = "" | "active length" | "basic length" | "mm" | "deg" | "basic
 /** G function that chooses the system of units; those below 70 are of NCT. */
 export type UnitFunction = "G20" | "G21" | "G70" | "G71" | "G700" | "G710";
 
+/** What a machine measures with. */
+export type Use = "cycles" | "jog" | "log" | "tool-probe";
+
 /** Values of a variant as typed, by parameter name. */
 export type Values = {
   /** Values that choose the variant. */
@@ -2975,6 +3150,33 @@ export type VariantInfo = {
   values: { [key in string]: string },
   /** Values of the worked measurement. */
   example: { [key in string]: string },
+};
+
+/** Something that varies: what is drawn is added to what the file says. */
+export type Vary = {
+  /**
+   * Member of the file: `workpiece[0].errors.size`, `.taper`, `.shift[0]`, `.tilt[2]`, `.outOfRound[0]`;
+   * `probe.radius`, `.length`, `.delay`, `.skew[0]`, `.preTravel[0]`; a datum or a tool or frame variable as
+   * `data._WP[0,1]`, `data.$TC_DP3[9,1]`.
+   */
+  what: string,
+  /** How it is spread. */
+  as?: Shape,
+  /** Standard deviation, of `normal`. */
+  sigma?: number,
+  /** Half width, of the others. */
+  half?: number,
+  /** Its mean. */
+  mean?: number,
+  /** By how much the mean grows from one part to the next: wear of the tool that makes them, a machine that warms up. */
+  drift?: number,
+  /** How often it is drawn. */
+  per?: Per,
+  /**
+   * In production, how much of a correction reaches the next part: by variable, what one unit more of it adds here.
+   * A hole that is cut with T20 D1 gets smaller by twice the wear of the radius: `{ "$TC_DP15[20,1]": -2 }`.
+   */
+  follows?: { [key in string]: number },
 };
 
 /** What follows from a measurement. */

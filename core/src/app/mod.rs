@@ -9,6 +9,7 @@ mod around;
 mod around_tests;
 mod beside;
 mod catalogue;
+mod certainty;
 mod changes;
 mod edit;
 mod encoding;
@@ -18,6 +19,7 @@ mod form;
 mod help;
 mod jog;
 mod machine;
+mod machine_check;
 mod outcome;
 mod places;
 mod practice;
@@ -29,6 +31,7 @@ mod record;
 mod run;
 mod scan;
 mod scenario;
+mod series;
 mod start;
 mod story;
 mod supply;
@@ -46,6 +49,7 @@ pub use answer::{
 pub use around::{AroundBlock, AroundField, AroundRequest, AroundView, Wanted as AroundWanted, around};
 pub use beside::{Beside, FileStart};
 pub use catalogue::{AroundInfo, Catalogue, CycleInfo, ParameterInfo, Purpose, Values, VariantInfo, catalogue};
+pub use certainty::{Certain, CertainChances, CertaintyRequest, CertaintyView, Contribution, certainty};
 pub use changes::Change;
 pub use edit::{
     Assignment, ChangeRequest, Changed, ConvertRequest, Converted, CureRequest, CuredAll, Replaced, Variable, change,
@@ -58,6 +62,9 @@ pub use form::{FormRequest, FormView, form};
 pub use help::{HelpRequest, HelpResult, HelpSection, HelpText, HelpView, help};
 pub use jog::{JogLine, JogPoint, JogResult, JogView, JogWrong, jog};
 pub use machine::{MachineField, MachineGroup, MachineProblem, MachineRequest, MachineView, machine};
+pub use machine_check::{
+    ExportedFile, MachineCheckRequest, MachineCheckView, MachineFault, MachineLimit, MachinePlace, machine_check,
+};
 pub use outcome::{Measured, Outcome, Raised};
 pub use practice::{
     PracticeActivation, PracticeApproach, PracticeArea, PracticeCall, PracticeCallRequest, PracticeChoice,
@@ -75,6 +82,9 @@ pub use scan::{Scan, ScanRequest, ScanView, SurfaceChoice, put_surface};
 pub use scenario::{
     CaseView, Expected, ExpectedCall, NoteRequest, Scenario, ScenarioCase, ScenarioRequest, ScenarioText, ScenarioView,
     noted, scenario,
+};
+pub use series::{
+    SeriesAlarm, SeriesCall, SeriesCorrection, SeriesFigure, SeriesShare, SeriesSpread, SeriesView, series, series_csv,
 };
 pub use start::{Beginning, Machine, OwnMachine};
 pub use story::{Story, story};

@@ -16,14 +16,19 @@ pub fn sizes(name: &str) -> Option<&'static [usize]> {
 
 /// Names of the elements from this one (without index: the first) to the end of its array; none: it does not fit.
 pub fn elements_from(name: &str, sizes: &[usize]) -> Vec<String> {
-    let Some((stem, index)) = with_parameters(name) else { return Vec::new() };
+    following(name, sizes).collect()
+}
+
+/// The same, each when it is asked for.
+pub fn following<'a>(name: &'a str, sizes: &'a [usize]) -> impl Iterator<Item = String> + 'a {
+    let (stem, index) = with_parameters(name).unwrap_or_default();
     let total: usize = sizes.iter().product();
     let first = match index.len() {
-        0 => Some(0),
+        0 if !stem.is_empty() => Some(0),
         n if n == sizes.len() => place(&index, sizes),
         _ => None,
     };
-    first.map_or(total..total, |first| first..total).map(|at| element(stem, at, sizes)).collect()
+    first.map_or(total..total, |first| first..total).map(move |at| element(stem, at, sizes))
 }
 
 /// Elements that `REP` fills from this one on; none: it is no array of the control.

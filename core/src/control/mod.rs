@@ -14,6 +14,7 @@ pub mod machine_data;
 mod machine_sort;
 mod make;
 pub mod nct_data;
+pub mod needs;
 pub mod probe;
 pub mod rotary;
 pub mod tools;

@@ -9,6 +9,7 @@ pub mod possible;
 pub mod route;
 #[cfg(test)]
 mod route_tests;
+pub mod series;
 pub mod setup;
 pub mod sim;
 pub mod trace;

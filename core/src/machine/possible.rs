@@ -10,6 +10,8 @@ use crate::workpiece::{Cut, Cutter, PartErrors, Probe, Shape, Solid, Tool, ToolP
 const LIMIT: f64 = FARTHEST;
 /// Largest number of a datum: that of the control's own numbers, which units can still be applied to.
 const LARGEST: f64 = 1e300;
+/// Most runs of a series; their results are kept.
+const RUNS: f64 = 1e6;
 /// Most solids of a part; every motion is held against each.
 const SOLIDS: usize = 50;
 /// Most lobes of a round wall.
@@ -23,12 +25,34 @@ impl Setup {
     /// Refuses what cannot be; the first thing found is named with its value, by its place in a setup file.
     pub(crate) fn possible(&self) -> Result<(), Refused> {
         self.governs()?;
+        self.varies()?;
         small(&Path::of(&["position"]), &self.position.0)?;
         let Turret { diameter, width } = self.turret;
         for (name, size) in [("diameter", diameter), ("width", width)] {
             within(&Path::of(&["machine", "turret", name]), size, [0.0, LIMIT])?;
         }
         self.exists()
+    }
+
+    /// Refuses a series that is endless, or spreads that are none.
+    ///
+    /// # Errors
+    /// What is beyond its range, by its place in a setup file.
+    pub fn varies(&self) -> Result<(), Refused> {
+        let path = Path::of(&["series"]);
+        within(&path.member("runs"), f64::from(self.series.runs), [1.0, RUNS])?;
+        let path = path.member("vary");
+        within(&path, self.series.vary.len() as f64, [0.0, MOST as f64])?;
+        for (index, vary) in self.series.vary.iter().enumerate() {
+            let path = path.element(index);
+            within(&path.member("sigma"), vary.sigma, [0.0, LIMIT])?;
+            within(&path.member("half"), vary.half, [0.0, LIMIT])?;
+            small(&path.member("mean"), &[vary.mean])?;
+            small(&path.member("drift"), &[vary.drift])?;
+            let follows = path.member("follows");
+            vary.follows.iter().try_for_each(|(name, factor)| small(&follows.member(name), &[*factor]))?;
+        }
+        Ok(())
     }
 
     /// Refuses frames and data with which a control cannot calculate.

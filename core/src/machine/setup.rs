@@ -7,6 +7,7 @@ use crate::control::{Control, Edge, Make, Plane, Transverse, Units, delivery_in}
 use crate::dialect::Dialect;
 use crate::geometry::Mcs;
 use crate::machine::Clock;
+use crate::machine::series::Series;
 use crate::workpiece::{Probe, Tool, ToolProbe, Turret, Workpiece};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -34,6 +35,8 @@ pub struct Setup {
     pub clock: Clock,
     /// Skip levels 0 to 9 that are switched on at the panel: blocks with `/`, `/1` to `/9` are left out.
     pub skip: BTreeSet<u8>,
+    /// What varies where a program is run many times.
+    pub series: Series,
 }
 
 /// T number of the probe in [`Setup::calibrated`], as in the programs of the manual (B:5855).
@@ -89,6 +92,7 @@ impl Setup {
             position: Mcs(position),
             clock: Clock::default(),
             skip: BTreeSet::new(),
+            series: Series::default(),
         }
     }
 

@@ -6,6 +6,7 @@ use crate::geometry::Mcs;
 use crate::machine::{Clock, Setup};
 use crate::message::printable;
 use crate::refused::{Path, Refused};
+use crate::series::draw::known;
 use crate::syntax::definitions::definitions;
 use crate::workpiece::{ToolProbe, Turret, Workpiece, tool};
 use serde::{Serialize, Serializer};
@@ -51,8 +52,10 @@ pub fn setup(file: SetupFile) -> Result<Setup, Refused> {
         position: Mcs(file.position),
         clock: clock(&file.clock)?,
         skip: file.skip,
+        series: file.series,
     };
     setup.possible()?;
+    known(&setup)?;
     Ok(setup)
 }
 
@@ -162,6 +165,7 @@ impl From<&Setup> for SetupFile {
             position: setup.position.0,
             clock: if setup.clock == Clock::default() { String::new() } else { setup.clock.to_string() },
             skip: setup.skip.clone(),
+            series: setup.series.clone(),
         }
     }
 }

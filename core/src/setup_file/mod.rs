@@ -12,6 +12,7 @@ pub use solid::{SolidFile, example};
 use crate::control::{Environment, Frame, Plane, Transverse, Units, Value, delivery};
 use crate::dialect::Dialect;
 use crate::geometry::Degrees;
+use crate::machine::series::Series;
 use crate::workpiece::{Probe, Tool, Turret};
 #[cfg(feature = "cli")]
 use schemars::{generate::SchemaSettings, transform::RecursiveTransform};
@@ -82,6 +83,10 @@ pub struct SetupFile {
     /// Skip levels 0 to 9 that are switched on at the panel: blocks with `/`, `/1` to `/9` are left out.
     #[serde(default)]
     skip: BTreeSet<u8>,
+    /// What varies where a program is run many times: `probewright series`.
+    #[serde(default, skip_serializing_if = "nothing_varies")]
+    #[cfg_attr(test, ts(optional, as = "Option<Series>"))]
+    series: Series,
 }
 
 impl SetupFile {
@@ -222,6 +227,10 @@ struct ToolProbeFile {
 
 fn always() -> (f64, u64) {
     (0.0, 1)
+}
+
+fn nothing_varies(series: &Series) -> bool {
+    *series == Series::default()
 }
 
 /// JSON Schema of a file that users write. `Serialize` writes the default values into it.

@@ -1,6 +1,6 @@
 //! What there is: cycles, alarms, data, in the language of the user.
 
-use super::{err, out, probewright};
+use super::{err, file, out, probewright};
 use std::process::Command;
 
 // oracle: issue text
@@ -93,4 +93,27 @@ fn the_language_is_asked_for_or_taken_from_the_environment() {
     let unknown = probewright(&["cycles", "--lang", "xx"]);
     assert_eq!(unknown.status.code(), Some(2));
     assert!(String::from_utf8_lossy(&unknown.stderr).contains("en, zh"));
+}
+
+// oracle: manual A:14245 and B:16186 (70 and 80 names), B:12976-12983 (bit 5), A:15840
+#[test]
+fn machine_checks_what_a_control_exported() {
+    let export = file("check.tea", b"CHANDATA(1)\r\nN18170 $MN_MM_NUM_MAX_FUNC_NAMES=40\r\nMD28082=1\r\n\xff\r\n");
+    let lines = format!("{export}.changed");
+    let output = probewright(&["machine", &export, "--changes", &lines]);
+    assert_eq!(output.status.code(), Some(1), "{}", err(&output));
+    let told = out(&output);
+    assert!(told.contains(":2: error: MD18170 MM_NUM_MAX_FUNC_NAMES: 40 is too low; at least 70."), "{told}");
+    assert!(told.contains(":3: error[61016]: MD28082 MM_SYSTEM_FRAME_MASK (channel 1): "), "{told}");
+    assert!(told.contains("required: 80 (Measuring Cycles 10/2004"), "{told}");
+    let changed = std::fs::read_to_string(&lines).unwrap();
+    assert!(changed.contains("N28082 $MC_MM_SYSTEM_FRAME_MASK='H21'\n"), "{changed}");
+    let again = probewright(&["machine", &export, &lines, "--json"]);
+    let view: serde_json::Value = serde_json::from_str(&out(&again)).unwrap();
+    let left: Vec<_> =
+        view["faults"].as_array().unwrap().iter().map(|fault| fault["message"]["key"].as_str()).collect();
+    assert!(left.iter().all(|key| *key == Some("machine-check-twice")), "{left:?}");
+    assert_eq!((again.status.code(), view["changes"].as_str()), (Some(0), Some("")));
+    let nothing = probewright(&["machine", &file("check.nc", b"N10 G0 X1\n")]);
+    assert_eq!(nothing.status.code(), Some(2));
 }

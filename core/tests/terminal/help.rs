@@ -3,7 +3,7 @@
 use super::{err, out, probewright};
 use probewright_core::words::LANGUAGES;
 
-const COMMANDS: [&str; 9] = ["cycles", "explain", "alarms", "check", "write", "read", "run", "test", "jog"];
+const COMMANDS: [&str; 10] = ["cycles", "explain", "alarms", "check", "write", "read", "run", "test", "jog", "machine"];
 
 /// English of the parser of the command line, which no other language shows.
 const ITS_OWN: [&str; 7] = ["Usage", "Options", "Arguments", "Commands", "Print", "possible", "OPTIONS"];

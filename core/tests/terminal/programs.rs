@@ -351,3 +351,31 @@ fn one_program_of_an_archive_is_run() {
         out(&none)
     );
 }
+
+// oracle: hand: the hole of the readme is 0.03 mm too large; its size varies by 0.01 mm
+#[test]
+fn a_series_tells_how_results_spread() {
+    let program = file("series.mpf", HOLE.as_bytes());
+    let setup = std::fs::read_to_string(example_setup()).unwrap();
+    let vary = r#"{ "what": "workpiece[0].errors.size", "sigma": 0.01 }"#;
+    let with = |vary: &str| setup.replacen('{', &format!(r#"{{ "series": {{ "vary": [{vary}] }},"#), 1);
+    let path = file("series.setup.json", with(vary).as_bytes());
+    let asked = ["series", &program, "--setup", &path, "--runs", "200", "--seed", "5"];
+    let output = probewright(&asked);
+    let text = out(&output);
+    assert!(output.status.success() && text.starts_with("200 runs, 200 to the end, seed 5\n"), "{text}");
+    assert!(text.contains("series.mpf:8: CYCLE977") && text.contains("Cpk") && text.contains("No alarm"), "{text}");
+    assert_eq!(text, out(&probewright(&asked)), "the same seed gives the same bytes");
+    let table = std::env::temp_dir().join(format!("probewright-{}", std::process::id())).join("series.csv");
+    let output = probewright(&[&asked[..], &["--json", "--csv", table.to_str().unwrap()]].concat());
+    let document: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    let size = &document["calls"][0]["measured"][0];
+    let off = (size["mean"].as_f64().unwrap() - 132.03).abs();
+    assert!(off < 4.0 * size["meanError"].as_f64().unwrap(), "{size}");
+    assert_eq!(std::fs::read_to_string(table).unwrap().lines().count(), 201);
+    for (wrong, place) in [(vary.replace("[0]", "[9]"), "series.vary[0].what"), (vary.replace("0.01", "-1"), "sigma")] {
+        let path = file("series.wrong.json", with(&wrong).as_bytes());
+        let output = probewright(&["series", &program, "--setup", &path]);
+        assert!(output.status.code() == Some(2) && err(&output).contains(place), "{}", err(&output));
+    }
+}

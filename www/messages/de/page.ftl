@@ -672,12 +672,26 @@ results-more = { $count ->
    *[other] { $count } weitere Ergebnisse sind nicht aufgeführt.
 }
 # The line that says what a call came to.
+certain-value = { $value } ± { $expanded } (k = { $coverage })
+certain-share = { $share } %
+certain-less = < { $share } %
+certain-more = > { $share } %
+certain-good = gut { $share }
+certain-rework = Nacharbeit { $share }
+certain-scrap = Ausschuss { $share }
+certain-beyond = außerhalb der Grenzen { $share }
+certain-proof-good = Sicher gut.
+certain-proof-undecided = Weder gut noch schlecht ist sicher.
+certain-proof-bad = Sicher schlecht.
+certain-largest = Größter Beitrag: { $source }, { $share }.
+certain-stopped = Endet vorzeitig: { $share }.
 bar-title = Ergebnis der Messung
 bar-corrects = Korrigiert
 bar-corrects-what = Korrigiert { $what }
 bar-nothing = nichts
 bar-new = neue Werte
 bar-none = Das Ergebnis erscheint hier, sobald der Aufruf simuliert werden kann.
+bar-unmeasured = Dieser Aufruf misst nichts und läuft bis zum Ende.
 bar-gauge = { $needles }; Grenzen { $low } bis { $high }
 # The worked example, told in steps.
 practice-title = Messen in JOG üben

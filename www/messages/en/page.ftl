@@ -660,12 +660,26 @@ of-program = Set by the program
 outcome-more = Not shown: { $count }. The record has every measurement with its verdict.
 results-more = More results, not listed: { $count }.
 # The line that says what a call came to.
+certain-value = { $value } ± { $expanded } (k = { $coverage })
+certain-share = { $share }%
+certain-less = < { $share }%
+certain-more = > { $share }%
+certain-good = good { $share }
+certain-rework = rework { $share }
+certain-scrap = scrap { $share }
+certain-beyond = beyond the limits { $share }
+certain-proof-good = Proven good.
+certain-proof-undecided = Neither good nor bad is proven.
+certain-proof-bad = Proven bad.
+certain-largest = Largest contribution: { $source }, { $share }.
+certain-stopped = Stops before the end: { $share }.
 bar-title = Result of the measurement
 bar-corrects = Corrects
 bar-corrects-what = Corrects { $what }
 bar-nothing = nothing
 bar-new = new values
 bar-none = The result appears here when the call can be simulated.
+bar-unmeasured = This call measures nothing and comes to its end.
 bar-gauge = { $needles }; limits { $low } to { $high }
 # The worked example, told in steps.
 practice-title = Practise measuring in JOG

@@ -647,12 +647,26 @@ of-program = 由程序设置
 outcome-more = 未显示：{ $count } 条。测量报告含有每次测量及其判定。
 results-more = 还有 { $count } 个结果未在此列出。
 # The line that says what a call came to.
+certain-value = { $value } ± { $expanded }（k = { $coverage }）
+certain-share = { $share } %
+certain-less = < { $share } %
+certain-more = > { $share } %
+certain-good = 合格 { $share }
+certain-rework = 返修 { $share }
+certain-scrap = 报废 { $share }
+certain-beyond = 超出极限 { $share }
+certain-proof-good = 可证明合格。
+certain-proof-undecided = 合格与不合格都无法证明。
+certain-proof-bad = 可证明不合格。
+certain-largest = 最大的分量：{ $source }，{ $share }。
+certain-stopped = 未到结尾就停止：{ $share }。
 bar-title = 测量结果
 bar-corrects = 补偿
 bar-corrects-what = 补偿：{ $what }
 bar-nothing = 无
 bar-new = 新值
 bar-none = 调用可以模拟时，结果显示在这里。
+bar-unmeasured = 该调用不进行测量，已执行到结束。
 bar-gauge = { $needles }；限值 { $low } 到 { $high }
 # The worked example, told in steps.
 practice-title = 练习 JOG 测量

@@ -12,12 +12,15 @@ import type {
   Converted,
   CuredAll,
   CureRequest,
+  Dialect,
   EquipRequest,
   EquipView,
   FormRequest,
   FormView,
   HelpRequest,
   HelpView,
+  MachineCheckRequest,
+  MachineCheckView,
   MachineRequest,
   MachineView,
   PracticeApproach,
@@ -68,13 +71,21 @@ export interface SupplyRequest extends EquipRequest {
   text: string;
 }
 
-/** What is asked about a whole program. */
+/** How certain the call of a form is. `asked`: the request as JSON, by which the same question is known again. */
+export interface CertaintyQuestion {
+  control: Dialect;
+  text: string; // of no program
+  asked: string;
+}
+
+/** What is asked aside: about a whole program, or how certain a measurement is. */
 export type Question =
   | ({ ask: "read" } & ReadRequest)
   | ({ ask: "change" } & ChangeRequest)
   | ({ ask: "convert" } & ConvertRequest)
   | ({ ask: "cure" } & CureRequest)
   | ({ ask: "equip" } & SupplyRequest)
+  | ({ ask: "certainty" } & CertaintyQuestion)
   | ({ ask: "run" } & RunQuestion);
 
 /** What came of a session of measuring in JOG, and what is to be seen of it. */
@@ -92,6 +103,8 @@ export interface ProgramCore extends FormCore {
   alarms(): AlarmInfo[];
   help(request: HelpRequest): HelpView;
   machine(request: MachineRequest): MachineView;
+  /** `why`: nothing of it can be checked. */
+  machineCheck(request: MachineCheckRequest): MachineCheckView | { why: string };
   equip(request: EquipRequest): EquipView;
   story(request: FormRequest): Story;
   practise(request: PracticeRequest): Practised;
@@ -142,11 +155,12 @@ function changes(
   return answers;
 }
 
-/** A question that is answered at once; a run is answered in pieces. */
-export type AtOnce = Exclude<Question, { ask: "run" }>;
+/** A question about a program that is answered at once; a run is answered in pieces. */
+export type AtOnce = Exclude<Question, { ask: "run" | "certainty" }>;
 
 /** The answer as JSON text, so that a worker can hand it over as it is; about the text in the module, if one is. */
-export function answer(question: AtOnce, held: Held | null = null): string {
+export function answer(question: Exclude<Question, { ask: "run" }>, held: Held | null = null): string {
+  if (question.ask === "certainty") return call(question.ask, () => wasm.certainty(question.asked));
   const { ask, ...request } = question;
   if (ask === "change") return JSON.stringify(changes(question as ChangeRequest, held));
   const json = JSON.stringify(request);
@@ -248,6 +262,14 @@ function setupOf(text: string): Setup | { why: string } {
   }
 }
 
+function machineCheck(request: MachineCheckRequest): MachineCheckView | { why: string } {
+  try {
+    return JSON.parse(wasm.machine_check(JSON.stringify(request))) as MachineCheckView;
+  } catch (problem) {
+    return { why: problem instanceof Error ? problem.message : String(problem) };
+  }
+}
+
 function recogniser(): ReturnType<ProgramCore["recogniser"]> {
   const its = new wasm.Recogniser();
   return { take: bytes => its.take(bytes), finish: () => JSON.parse(its.finish()) as Recognised };
@@ -277,6 +299,7 @@ export async function loadProgramCore(): Promise<ProgramCore> {
     help: request => JSON.parse(call("help", () => wasm.help(JSON.stringify(request)))) as HelpView,
     equip: request => JSON.parse(call("equip", () => wasm.equip(JSON.stringify(request)))) as EquipView,
     story: request => JSON.parse(call("story", () => wasm.story(JSON.stringify(request)))) as Story,
+    machineCheck,
     machine: request => JSON.parse(call("machine", () => wasm.machine(JSON.stringify(request)))) as MachineView,
     catalogue: () => JSON.parse(call("catalogue", () => wasm.catalogue())) as Catalogue,
     alarms: () => JSON.parse(call("alarms", () => wasm.alarms())) as AlarmInfo[],

@@ -12,9 +12,11 @@ import type {
   AroundView,
   CallView,
   Catalogue,
+  CertaintyView,
   CycleInfo,
   Diagnostic,
   FileStart,
+  FormRequest,
   FormView,
   OwnMachine,
   Plane,
@@ -35,6 +37,8 @@ export interface Derived {
   catalogue: Catalogue;
   cycle: CycleInfo;
   view: FormView;
+  asked: FormRequest; // whose answer it is
+  certain: CertaintyView | null; // how certain its measurement is, where that is known
   simulates: FormCore["simulates"]; // "yes" once the part of the core is there that does
   program: string;
   read: ReadView; // of `program`, or while `fresh` is false of what it was a little earlier
@@ -185,6 +189,7 @@ function aroundOf(
 export function createDerive(forms: () => FormCore, catalogue: Catalogue): (state: State) => Derived {
   const first = catalogue.cycles[0];
   if (!first) throw new Error("the catalogue is empty");
+  let question: FormRequest = { control: first.control, cycle: first.cycle, values: {} }; // as it was asked last
   let names: Record<string, string> = {}; // as the snippet's comments were asked for last
   const form = memo(
     (
@@ -216,10 +221,9 @@ export function createDerive(forms: () => FormCore, catalogue: Catalogue): (stat
         ...(written ? { written } : {}),
       };
       const first = Object.fromEntries(Object.entries(assumed).map(([name, { value }]) => [name, value]));
+      question = { ...request, predict: true, ...(assumed !== NOTHING_ASSUMED ? { assumed: first } : {}) };
       const view = core.form({
-        ...request,
-        predict: true,
-        ...(assumed !== NOTHING_ASSUMED ? { assumed: first } : {}),
+        ...question,
         ...(twin ? { twin } : {}),
         ...(limits ? { limits } : {}),
         ...(comments !== null ? { comments: names } : {}),
@@ -288,6 +292,8 @@ export function createDerive(forms: () => FormCore, catalogue: Catalogue): (stat
       catalogue,
       cycle,
       view,
+      asked: question,
+      certain: null,
       assumed,
       simulates: core.simulates,
       program: programOf(state),

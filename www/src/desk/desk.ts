@@ -125,8 +125,9 @@ function atOnce(core: ProgramCore, question: AtOnce): Answer {
 
 /** What the worker has answered, if it is about the program as it is. */
 function taken(state: State, answer: Answered | null, catalogue: Catalogue): State {
-  if (!answer || answer.question.ask === "run" || !isOfNow(answer.question, state)) return state;
+  if (!answer || !isOfNow(answer.question, state)) return state;
   const { question, json, problem } = answer;
+  if (question.ask === "run" || question.ask === "certainty") return state;
   return json === undefined
     ? failed(state, question, problem ?? "")
     : answered(state, question, JSON.parse(json) as Answer, catalogue);

@@ -278,7 +278,12 @@ export function createEditor(box: HTMLElement, words: EditorWords, host: EditorH
   };
   const select = (offset: number): void => {
     const at = Math.min(offset, view.state.doc.length);
-    apply(() => view.dispatch({ selection: EditorSelection.cursor(at), scrollIntoView: true }));
+    const { from } = view.state.doc.lineAt(at);
+    // With the start of its line where both fit: scrolled to the right, shorter lines look empty.
+    const room = view.scrollDOM.clientWidth - view.contentDOM.offsetLeft;
+    const fits = (at - from) * view.defaultCharacterWidth < room;
+    const seen = EditorView.scrollIntoView(fits ? from : at);
+    apply(() => view.dispatch({ selection: EditorSelection.cursor(at), effects: seen }));
   };
 
   return {

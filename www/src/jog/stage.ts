@@ -8,7 +8,7 @@ import type { Preview, ViewName } from "../preview/view";
 import type { JogState, State } from "../state/state";
 import { say, t } from "../texts";
 import { type Shown, shownTheme } from "../theme";
-import { type Stage, tool } from "../views/stage";
+import { type Stage, tool, watchTaken } from "../views/stage";
 
 const still = matchMedia("(prefers-reduced-motion: reduce)");
 const FINE = 100; // µm a step of a drag where an axis moves as long as its key is held down
@@ -45,6 +45,7 @@ export function createJogStage(root: HTMLElement, stage: Stage, practice: Practi
       view("top", "solid"),
       tool("fit", t("view-fit"), () => preview.fit()),
     );
+    watchTaken(stage.box, [corner, hint], preview);
   };
   return ({ jog, page }) => {
     const box = root.firstElementChild;
@@ -63,6 +64,7 @@ export function createJogStage(root: HTMLElement, stage: Stage, practice: Practi
     listenTo(preview, { face: ({ at, normal }) => practice.face(at, normal), grab });
     const refused = jog.refused?.field === FACE ? jog.refused : null;
     setText(hint, refused ? say(refused.message) : t("practice-face"));
+    show(hint, !!refused || !jog.lines.includes("start")); // whoever has measured knows how to move the probe
     setAttribute(hint, "data-refused", String(!!refused));
     const theme = shownTheme(page.theme);
     const colours = stage.colours(theme);
@@ -73,7 +75,6 @@ export function createJogStage(root: HTMLElement, stage: Stage, practice: Practi
       preview.setCloud(null);
       preview.setDrawing(false);
       preview.setSection(false);
-      preview.setTaken([]);
       preview.setCovered(0);
       preview.setScene(data, null);
       const last = data.view.entries - 1;

@@ -9,9 +9,10 @@ import { type Activity, createActivity } from "../views/activity";
 
 /** Work beside the page: what is asked of the core on threads of its own, and what goes on in slices. */
 export interface Work {
-  /** Reading the program; running it. */
+  /** Reading the program; running it; how certain a measurement is. */
   reader: Aside;
   runner: Aside;
+  judge: Aside;
   /** A file being opened; a program that the page has, being made ready for the editor. */
   opening: Job;
   laying: Job;

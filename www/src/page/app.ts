@@ -23,6 +23,7 @@ import { createStage } from "../views/stage";
 import type { Catalogue } from "../wire";
 import type { Work } from "./activities";
 import { createBench, type Parts } from "./bench";
+import { createCertain } from "./certain";
 import { packedWork, startState } from "./first";
 import { createGoToField, type Shows } from "./goto";
 import { createKeeping, createNoticing } from "./keeping";
@@ -177,7 +178,7 @@ function working<A extends unknown[], R>(store: Store, run: (...args: A) => R): 
 function createWork(store: Store, modules: Modules): Work {
   const changed = (): void => store.update({});
   const aside = (): Aside => createAside(() => modules.program?.module, changed);
-  return { reader: aside(), runner: aside(), opening: createJob(changed), laying: createJob(changed) };
+  return { reader: aside(), runner: aside(), judge: aside(), opening: createJob(changed), laying: createJob(changed) };
 }
 
 const createShows =
@@ -202,7 +203,8 @@ function isTyping(before: State | null, { form, panels, page, view }: State): bo
 /** What is drawn follows from the state: first what the state itself becomes by it, then all that shows it. */
 function createDraw(parts: Parts & { modules: Modules; pointing: Pointing }, keep: () => void): () => Rest | undefined {
   const { store, modules, editor, work } = parts;
-  const { reader, runner } = work;
+  const { reader, runner, judge } = work;
+  const certain = createCertain(judge);
   const derive = createDerive(() => modules.forms, parts.catalogue);
   const desk = createDesk(() => modules.program, reader, parts.catalogue);
   const settle = (state: State): State => {
@@ -240,7 +242,7 @@ function createDraw(parts: Parts & { modules: Modules; pointing: Pointing }, kee
     seen = lastKnown(seen, { state, derived });
     askRun(work, state, derived);
     const back = bench.language === language() ? null : remade();
-    const drawRest = bench.draw(state, withMotions(derived, runner, state));
+    const drawRest = bench.draw(state, certain(state, withMotions(derived, runner, state)));
     const rest = (): void => {
       drawRest();
       parts.pointing.draw(state);

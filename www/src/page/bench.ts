@@ -122,12 +122,16 @@ export function createBench(parts: Parts): Bench {
   let shown: { state: State; derived: Derived } | null = null;
   const setupFile = createSetupFile(open.setup);
   const scenarios = createScenariosWay(parts.modules, () => shown, stop.signal);
+  const checkMachine = (): void => {
+    void import("../views/machine-check").then(({ openMachineCheck }) => openMachineCheck(core, stop.signal));
+  };
   const commands = commandsOf(store, actions, {
     save: program.save,
     open: program.open,
     keys: () => keys.showModal(),
     machine: () => later()?.equipment.open(),
     machineData: () => later()?.machineData.open(),
+    machineCheck: checkMachine,
     importSetup: () => setupFile.click(),
     exportSetup: () => exportSetup(store, shown?.derived.view.setup),
     paper: which => void later()?.paper(which),
@@ -137,7 +141,7 @@ export function createBench(parts: Parts): Bench {
   const later = behind(
     pieces => {
       pieces.createSheet(stage, () => shown, stop.signal);
-      const machineData = pieces.createMachineData(store, actions, core);
+      const machineData = pieces.createMachineData(store, actions, core, checkMachine);
       const difference = pieces.createDifference(actions);
       const palette = pieces.createPalette(
         store,

@@ -22,6 +22,7 @@ export interface Does {
   keys(): void;
   machine(): void;
   machineData(): void;
+  machineCheck(): void;
   importSetup(): void;
   exportSetup(): void;
   paper(which: Paper): void;
@@ -122,6 +123,7 @@ function ofView(
     { id: "setup-import", title: t("profile-import"), run: does.importSetup },
     { id: "setup-export", title: t("profile-export"), run: does.exportSetup },
     { id: "machine-data", title: t("machine-data-title"), run: does.machineData },
+    { id: "machine-check", title: t("exported-title"), run: does.machineCheck },
     { id: "twin", title: t("twin-open"), run: () => store.update({ snippet: { twin: !snippet.twin } }) },
     { id: "link", title: t("link-copy"), run: () => void copyLink(store) },
     { id: "scenarios", title: t("scenarios-open"), run: does.scenarios },

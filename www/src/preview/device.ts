@@ -4,7 +4,7 @@ import { dotSize, type GpuName } from "./backend";
 import { createEffects } from "./effects";
 import { createPoints } from "./points";
 import { PROBE_SIZE, prove } from "./proof";
-import type { Canvas, Device, Renderer, Seen, Told } from "./renderer";
+import type { Canvas, Device, Handed, Renderer, Seen, Told } from "./renderer";
 import { createTrail } from "./trail";
 
 interface Module {
@@ -53,6 +53,7 @@ function device(canvas: Canvas, renderer: Renderer, told: Told): Device {
     if (last) trail.follow(last, count);
   });
   let cloud = false;
+  let shapes: Handed["solids"] = null;
   let size: readonly [number, number] = [0, 0];
   const stop = new AbortController();
   canvas.addEventListener("webglcontextlost", () => told.lost("WebGL context lost"), { signal: stop.signal });
@@ -73,10 +74,11 @@ function device(canvas: Canvas, renderer: Renderer, told: Told): Device {
     renderer.render(count, faded, spans(seen));
   };
   return {
-    setScene({ vertices, corners, ends, lines, background, sky }) {
+    setScene({ solids, lines, background, sky }) {
       trail.stop();
+      shapes = solids ?? shapes;
       renderer.set_background(...background);
-      renderer.set_scene(vertices, corners, ends, lines);
+      if (shapes) renderer.set_scene(shapes.vertices, shapes.corners, shapes.ends, lines);
       if (sky) renderer.set_sky(sky.columns, sky.cells);
     },
     setCloud(next) {

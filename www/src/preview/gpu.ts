@@ -67,9 +67,12 @@ function backend(name: GpuName, canvas: HTMLCanvasElement, device: Device, doing
   let cloud: Cloud | null = null;
   let full = true; // what the device has is for all effects
   let path: Path | null = null; // that the device has
-  const hand = (next: Scene, ratio: number): void => {
-    full = doing.all;
-    device.setScene(handed(next, ratio, full));
+  let solids: Pick<Scene, "mesh" | "origin"> | null = null; // the same
+  const hand = (next: Scene, ratio: number, all: boolean): void => {
+    full = all;
+    const known = solids?.mesh === next.mesh && length(sub(solids.origin, next.origin)) === 0;
+    solids = next;
+    device.setScene(handed(next, ratio, { full, known }));
   };
   return {
     name,
@@ -79,7 +82,7 @@ function backend(name: GpuName, canvas: HTMLCanvasElement, device: Device, doing
     },
     setScene(next, ratio) {
       scene = next;
-      hand(next, ratio);
+      hand(next, ratio, doing.all);
       if (next.data.path !== path) device.setPath(next.data.path);
       path = next.data.path;
     },
@@ -89,14 +92,13 @@ function backend(name: GpuName, canvas: HTMLCanvasElement, device: Device, doing
     },
     draw(frame) {
       if (!scene) return;
-      if (full !== doing.all) hand(scene, frame.ratio);
+      if (full !== doing.all) hand(scene, frame.ratio, doing.all);
       if (remote) doing.under += 1;
       device.draw(seen(scene, frame, cloud, full));
     },
     async picture(frame) {
       if (!scene) throw new Error("nothing to draw");
-      if (!full) device.setScene(handed(scene, frame.ratio, true));
-      full = true;
+      if (!full) hand(scene, frame.ratio, true);
       return device.picture(seen(scene, frame, cloud, true)); // nobody waits for a frame: with all effects
     },
     destroy() {
@@ -106,13 +108,14 @@ function backend(name: GpuName, canvas: HTMLCanvasElement, device: Device, doing
   };
 }
 
-/** What a device needs of a scene. */
-function handed({ mesh, origin, ends, lines, ground, colours }: Scene, ratio: number, full: boolean): Handed {
+/** What a device needs of a scene; `full`: for all effects; `known`: it has these solids. */
+function handed(scene: Scene, ratio: number, { full, known }: { full: boolean; known: boolean }): Handed {
+  const { mesh, origin, ends, lines, ground, colours } = scene;
   const [r, g, b] = parse(colours.background);
   return {
-    vertices: packVertices(mesh, origin),
-    corners: mesh.corners,
-    ends: Uint32Array.from(ends),
+    solids: known
+      ? null
+      : { vertices: packVertices(mesh, origin), corners: mesh.corners, ends: Uint32Array.from(ends) },
     lines: packLines(full ? lines.filter(({ style }) => !style.onGround) : lines, origin, ratio),
     background: [r, g, b],
     sky: full ? { columns: ground.columns, cells: ground.cells() } : null,

@@ -2,7 +2,7 @@
 // how much light arrives anywhere, so that shadows cost next to nothing on any device.
 import type { Standing } from "../core/scene";
 import type { Vec3 } from "../wire";
-import { type Mesh, MOVES, VERTEX_FLOATS } from "./mesh";
+import { type Mesh, MOVES, OPACITY, VERTEX_FLOATS } from "./mesh";
 import type { Box } from "./vec";
 
 const CELLS = 96; // a side of the map
@@ -62,21 +62,26 @@ function eachFace(mesh: Mesh, turning: boolean, face: (a: Vec3, b: Vec3, c: Vec3
   };
   for (let i = 0; i < corners.length; i += 3) {
     const [a, b, c] = [corners[i]!, corners[i + 1]!, corners[i + 2]!];
-    const clear = vertices[VERTEX_FLOATS * a + 9]! < 1;
+    const clear = vertices[VERTEX_FLOATS * a + OPACITY]! < 1;
     if (vertices[VERTEX_FLOATS * a + MOVES] === 0 && !clear) face(at(a), at(b), at(c));
   }
 }
 
-function boxOn(mesh: Mesh, turning: boolean): Box | null {
-  const box: Box = { min: [Infinity, Infinity, Infinity], max: [-Infinity, -Infinity, -Infinity] };
-  eachFace(mesh, turning, (...face) => {
-    for (const point of face)
-      for (let axis = 0; axis < 3; axis++) {
-        box.min[axis] = Math.min(box.min[axis]!, point[axis]!);
-        box.max[axis] = Math.max(box.max[axis]!, point[axis]!);
-      }
-  });
-  return box.min[0] <= box.max[0] ? box : null;
+/** Around all that stands still; every vertex is the corner of a triangle. */
+function boxOn({ vertices }: Mesh, turning: boolean): Box | null {
+  const [min, max]: [Vec3, Vec3] = [
+    [Infinity, Infinity, Infinity],
+    [-Infinity, -Infinity, -Infinity],
+  ];
+  for (let first = 0; first < vertices.length; first += VERTEX_FLOATS) {
+    if (vertices[first + MOVES] !== 0 || vertices[first + OPACITY]! < 1) continue;
+    for (let axis = 0; axis < 3; axis++) {
+      const at = vertices[first + axis]!;
+      if (at < min[axis]!) min[axis] = at;
+      if (at > max[axis]!) max[axis] = at;
+    }
+  }
+  return min[0] <= max[0] ? { min: stands(min, turning), max: stands(max, turning) } : null;
 }
 
 /** Four numbers a cell, as web/preview/src/layout.rs says. */

@@ -1,9 +1,9 @@
 // Triangles and lines in the layout that web/preview/src/layout.rs describes.
 import type { Vec3 } from "../wire";
 import type { Rgba } from "./colours";
-import { sub } from "./vec";
 
 export const VERTEX_FLOATS = 12;
+export const OPACITY = 9; // place of the last of the four numbers of its colour
 export const MOVES = 10; // place of the number that tells whether a vertex moves with the probe
 export const FINISH = 11; // place of its finish
 const LINE_FLOATS = 16;
@@ -49,28 +49,30 @@ export function packLines(lines: Line[], origin: Vec3, ratio: number): Float32Ar
       cut = false,
       through = 0,
     } = style;
-    const numbers = [
-      ...sub(from, origin),
-      ...sub(to, origin),
-      ...colour,
-      width * ratio,
-      dash * ratio,
-      entry + begin,
-      (unseenBefore ? 1 : 0) + (tube ? 2 : 0) + (cut ? 4 : 0),
-      through,
-      end - begin,
-    ];
-    packed.set(numbers, i * LINE_FLOATS);
+    const at = i * LINE_FLOATS;
+    for (let axis = 0; axis < 3; axis++) {
+      packed[at + axis] = from[axis]! - origin[axis]!;
+      packed[at + 3 + axis] = to[axis]! - origin[axis]!;
+    }
+    packed.set(colour, at + 6);
+    packed[at + 10] = width * ratio;
+    packed[at + 11] = dash * ratio;
+    packed[at + 12] = entry + begin;
+    packed[at + 13] = (unseenBefore ? 1 : 0) + (tube ? 2 : 0) + (cut ? 4 : 0);
+    packed[at + 14] = through;
+    packed[at + 15] = end - begin;
   });
   return packed;
 }
 
 /** Vertices relative to `origin`; those that move with the probe are relative to it already. */
-export function packVertices({ vertices }: Mesh, origin: Vec3): Float32Array {
+export function packVertices({ vertices }: Mesh, [x, y, z]: Vec3): Float32Array {
   const packed = new Float32Array(vertices);
   for (let i = 0; i < packed.length; i += VERTEX_FLOATS) {
     if (vertices[i + MOVES] === 1) continue;
-    for (let axis = 0; axis < 3; axis++) packed[i + axis] = vertices[i + axis]! - origin[axis]!;
+    packed[i] = vertices[i]! - x;
+    packed[i + 1] = vertices[i + 1]! - y;
+    packed[i + 2] = vertices[i + 2]! - z;
   }
   return packed;
 }

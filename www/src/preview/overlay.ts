@@ -33,14 +33,17 @@ export function drawOverlay(
   arrows: readonly Arrow[] = [],
 ): void {
   const all = arranged(scene, frame, taken, measureIn(element));
+  // In groups: what one gains leaves the others as they are.
   drawInto(element, [
-    ...swept(scene, frame),
-    ...ring(scene, frame),
-    ...arrowsIn(arrows, scene, frame),
-    ...all.flatMap(({ written, spot }) => written.line?.(spot) ?? []),
-    ...all.flatMap(({ written, spot }) => written.draw(spot)),
+    group(swept(scene, frame)),
+    group(ring(scene, frame)),
+    group(arrowsIn(arrows, scene, frame)),
+    group(all.flatMap(({ written, spot }) => written.line?.(spot) ?? [])),
+    ...all.map(({ written, spot }) => group(written.draw(spot))),
   ]);
 }
+
+const group = (children: Drawn[]): Drawn => ({ tag: "g", attributes: {}, children });
 
 /** Tells where the ball or the end of a tool is, behind a part too. */
 function ring(scene: Scene, { camera, view, probe }: Frame): Drawn[] {

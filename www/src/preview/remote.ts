@@ -29,7 +29,7 @@ export async function openRemote(name: GpuName, canvas: HTMLCanvasElement, told:
   }
   worker.onerror = ({ message }) => told.lost(message);
   return {
-    setScene: scene => ask({ scene }, [scene.vertices.buffer, scene.lines.buffer]),
+    setScene: scene => ask({ scene }, [scene.lines.buffer, ...(scene.solids ? [scene.solids.vertices.buffer] : [])]),
     setCloud: cloud => ask({ cloud }),
     setPath: path => ask({ path }),
     draw: seen => ask({ seen }, [seen.uniforms.buffer]),

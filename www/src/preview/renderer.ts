@@ -26,9 +26,7 @@ export type Canvas = HTMLCanvasElement | OffscreenCanvas;
 
 /** A scene as the renderer wants it (web/preview/src/layout.rs). */
 export interface Handed {
-  vertices: Float32Array;
-  corners: Uint32Array;
-  ends: Uint32Array;
+  solids: { vertices: Float32Array; corners: Uint32Array; ends: Uint32Array } | null; // none: those of before
   lines: Float32Array;
   background: readonly [r: number, g: number, b: number];
   sky: { columns: number; cells: Float32Array } | null; // none: without what needs it

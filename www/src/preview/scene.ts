@@ -15,7 +15,7 @@ import type { Colours } from "./colours";
 import { type Ground, groundOf } from "./ground";
 import { colourOf, finishOf, LAYERS, layerOf, lineStyle, rankOf, touchStyles, wayStyles } from "./ink";
 import { isWanted, type Label, labelsOf, type Say, type Wanted } from "./labels";
-import { FINISH, type Line, type Mesh, MOVES, type Style, VERTEX_FLOATS } from "./mesh";
+import { type Line, type Mesh, type Style, VERTEX_FLOATS } from "./mesh";
 import { drawnAround, probeAt, standingAt, toolIndexAt } from "./motion";
 import { add, type Box, boxCorners, centre, include, length, sub, times } from "./vec";
 
@@ -68,13 +68,20 @@ export function buildScene(
   ];
   const box = boxOf(data, standing, tool, drawing);
   const counts = layers.map(layer => layer.reduce((sum, { corners: [from, to] }) => sum + to - from, 0));
-  const mesh = assemble(data, layers.flat(), standing, colours);
+  const { mesh, ground } = solids({
+    vertices: data.vertices,
+    corners: data.corners,
+    pieces: layers.flat(),
+    standing,
+    turning: view.turning,
+    colours,
+  });
   return {
     data,
     colours,
     mesh,
     ends: counts.slice(0, -1).map((_, i) => counts.slice(0, i + 1).reduce((sum, count) => sum + count, 0)),
-    ground: groundOf(mesh, standing, view.turning),
+    ground,
     lines,
     touched: lines.filter(({ from, to, style }) => from === to && style.unseenBefore).map(({ from }) => from),
     labels: labelsOf(view, colours, say, wanted, drawnAround(index)),
@@ -94,8 +101,50 @@ export const turned = ({ axes: [x, y, z] }: Place, [a, b, c]: Vec3): Vec3 =>
 export const placed = (place: Place | undefined, point: Vec3): Vec3 =>
   place ? add(place.at, turned(place, point)) : point;
 
+/** What stays where it is said to be. */
+const FIXED: Place = {
+  at: [0, 0, 0],
+  axes: [
+    [1, 0, 0],
+    [0, 1, 0],
+    [0, 0, 1],
+  ],
+};
+
+interface Solids extends Pick<SceneData, "vertices" | "corners"> {
+  pieces: Piece[];
+  standing: Standing;
+  turning: boolean;
+  colours: Colours;
+}
+
+/** Bit by bit: one sort of array is compared several times as fast as two. */
+function equal(one: Float32Array | Uint32Array, other: Float32Array | Uint32Array): boolean {
+  const [a, b] = [one, other].map(({ buffer, byteOffset, length }) => new Uint32Array(buffer, byteOffset, length));
+  if (a!.length !== b!.length) return false;
+  for (let index = 0; index < a!.length; index++) if (a![index] !== b![index]) return false;
+  return true;
+}
+
+const sameSolids = (a: Solids, b: Solids): boolean =>
+  a.colours === b.colours &&
+  a.turning === b.turning &&
+  JSON.stringify([a.pieces, a.standing]) === JSON.stringify([b.pieces, b.standing]) &&
+  equal(a.vertices, b.vertices) &&
+  equal(a.corners, b.corners);
+
+let before: { of: Solids; mesh: Mesh; ground: Ground } | null = null;
+
+/** The same objects as before where nothing of it is another: most keys, and each step in JOG, change lines only. */
+function solids(of: Solids): { mesh: Mesh; ground: Ground } {
+  if (before && sameSolids(before.of, of)) return before;
+  const mesh = assemble(of);
+  before = { of, mesh, ground: groundOf(mesh, of.standing, of.turning) };
+  return before;
+}
+
 /** The pieces one behind the other, each where it stands and in its colour. */
-function assemble({ vertices, corners }: SceneData, pieces: Piece[], standing: Standing, colours: Colours): Mesh {
+function assemble({ vertices, corners, pieces, standing, colours }: Solids): Mesh {
   const count = (span: "vertices" | "corners"): number =>
     pieces.reduce((sum, { [span]: [from, to] }) => sum + to - from, 0);
   const mesh: Mesh = {
@@ -103,27 +152,34 @@ function assemble({ vertices, corners }: SceneData, pieces: Piece[], standing: S
     corners: new Uint32Array(count("corners")),
   };
   let [vertex, corner] = [0, 0];
-  for (const {
-    matter,
-    vertices: [from, to],
-    corners: [first, end],
-    place: index,
-  } of pieces) {
-    const place = index === undefined ? undefined : standing.places[index];
-    const colour = colourOf(matter, colours);
-    const finish = finishOf(matter);
+  for (const piece of pieces) {
+    const [from, to] = piece.vertices;
+    const [first, end] = piece.corners;
     for (let i = first; i < end; i++) mesh.corners[corner++] = corners[i]! - from + vertex;
-    for (let i = from; i < to; i++, vertex++) {
-      const normal = vec(vertices, 6 * i + 3);
-      const at = placed(place, vec(vertices, 6 * i));
-      mesh.vertices.set(at, VERTEX_FLOATS * vertex);
-      mesh.vertices.set(place ? turned(place, normal) : normal, VERTEX_FLOATS * vertex + 3);
-      mesh.vertices.set(colour, VERTEX_FLOATS * vertex + 6);
-      mesh.vertices[VERTEX_FLOATS * vertex + MOVES] = place ? 0 : 1;
-      mesh.vertices[VERTEX_FLOATS * vertex + FINISH] = finish;
-    }
+    const place = piece.place === undefined ? undefined : standing.places[piece.place];
+    // From the colour on, in the order of mesh.ts: whether it moves with the probe, and the finish behind it.
+    const painted = [...colourOf(piece.matter, colours), place ? 0 : 1, finishOf(piece.matter)];
+    placeVertices(mesh.vertices, vertex, vertices.subarray(6 * from, 6 * to), place ?? FIXED, painted);
+    vertex += to - from;
   }
   return mesh;
+}
+
+/** Places and normals of a piece, turned and moved as its place is; number by number, since a part has thousands. */
+function placeVertices(into: Float64Array, vertex: number, from: Float32Array, place: Place, painted: number[]): void {
+  const [atX, atY, atZ] = place.at;
+  const [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]] = place.axes;
+  for (let i = 0, to = VERTEX_FLOATS * vertex; i < from.length; i += 6, to += VERTEX_FLOATS) {
+    const [x, y, z] = [from[i]!, from[i + 1]!, from[i + 2]!];
+    const [a, b, c] = [from[i + 3]!, from[i + 4]!, from[i + 5]!];
+    into[to] = atX + (xx * x + yx * y + zx * z);
+    into[to + 1] = atY + (xy * x + yy * y + zy * z);
+    into[to + 2] = atZ + (xz * x + yz * y + zz * z);
+    into[to + 3] = xx * a + yx * b + zx * c;
+    into[to + 4] = xy * a + yy * b + zy * c;
+    into[to + 5] = xz * a + yz * b + zz * c;
+    for (let n = 0; n < painted.length; n++) into[to + 6 + n] = painted[n]!;
+  }
 }
 
 function linesOf(

@@ -8,8 +8,9 @@ import { el, setText } from "../dom";
 import { type IconName, iconPart } from "../icons";
 import type { State } from "../state/state";
 import { listed, say, t } from "../texts";
-import type { Answer, Figure, RunView } from "../wire";
+import type { Answer, CertaintyView, Figure, RunView } from "../wire";
 import { amount, correctedText, figureText, mainFigures, partsText, unitBehind } from "./amounts";
+import { certainty } from "./certain";
 import { gaugePicture } from "./gauge";
 
 const REST = 500; // ms without a change, then it is spoken
@@ -26,7 +27,7 @@ export const VERDICT_ICONS: Record<Answer["verdict"], IconName> = {
 };
 
 /** The call of a run in which this step is, else the last one before it. */
-export function answerAt({ answers }: RunView, step: number): RunView["answers"][number] | undefined {
+export function answerAt({ answers }: Pick<RunView, "answers">, step: number): RunView["answers"][number] | undefined {
   return answers.findLast(one => one.from <= step) ?? answers[0];
 }
 
@@ -52,6 +53,10 @@ function measured(answer: Answer): TemplateResult {
     ><span class="answer-figures">${figures.map(one => html`<span>${figure(one)}</span> `)}</span></div>`;
 }
 
+/** What the machine measured: which file tells, since nobody knows what it corrected. */
+const told = (file: string): TemplateResult =>
+  html`<div class="answer-part"><span class="answer-name">${t("protocol-title")}</span><b>${file}</b></div>`;
+
 function corrected(answer: Answer): TemplateResult {
   const none = answer.corrected.length === 0;
   const name = none
@@ -62,24 +67,35 @@ function corrected(answer: Answer): TemplateResult {
     ><b>${none ? t("bar-nothing") : parts || t("bar-new")}</b></div>`;
 }
 
-function body(answer: Answer): TemplateResult {
+function body(answer: Answer, file: string, certain: CertaintyView | null): TemplateResult {
   const gauge = answer.gauge ? gaugePicture(answer.gauge) : nothing;
-  return html`${measured(answer)}${corrected(answer)}
+  return html`${measured(answer)}${file ? told(file) : corrected(answer)}
     <div class="answer-gauge" ?hidden=${!answer.gauge}>${gauge}</div>
     <div class="answer-why">
       <span class="verdict" data-verdict=${answer.verdict}
         >${iconPart(VERDICT_ICONS[answer.verdict])}${say(answer.verdict_words)}</span
       ><span class="why">${say(answer.why)}</span>
-    </div>`;
+    </div>
+    ${certain ? certainty(certain) : nothing}`;
+}
+
+/** Why there is no answer: nothing is simulated yet, or the call measures nothing; then how it ended. */
+function unanswered(state: State, derived: Derived): string {
+  if (derived.simulates !== "yes") return "";
+  const outcome = state.view.source === "program" ? undefined : derived.view.outcome;
+  if (!outcome) return t("bar-none");
+  const alarm = outcome.alarms.at(-1);
+  return alarm ? [alarm.code, say(alarm.message)].filter(Boolean).join(" ") : t("bar-unmeasured");
 }
 
 /** In a sentence: for those who hear it. */
-function spoken(answer: Answer): string {
+function spoken(answer: Answer, file: string): string {
   const figures = mainFigures(answer).map(one => {
     const off = one.deviation === undefined ? "" : ` (${amount(one.deviation, one.unit, true)})`;
     return `${figureText(one)}${off}`;
   });
-  const changed = correctedText(answer) || `${t("bar-corrects")} ${t("bar-nothing")}`;
+  const simulated = correctedText(answer) || `${t("bar-corrects")} ${t("bar-nothing")}`;
+  const changed = file ? t("protocol-of", { name: file }) : simulated;
   return [figures.join(" "), changed, say(answer.verdict_words), say(answer.why)].filter(Boolean).join(" · ");
 }
 
@@ -95,18 +111,41 @@ function afterRest(speak: (text: string) => void): (text: string) => void {
   };
 }
 
-export function createAnswer(): { root: HTMLElement; draw(state: State, derived: Derived): void } {
+/** What a protocol of the real machine tells of each call, and its name. */
+export interface Real {
+  answers: RunView["answers"];
+  file: string;
+}
+
+export interface AnswerLine {
+  root: HTMLElement;
+  /** With the whole program this counts, not what was simulated; null: there is no protocol. */
+  setReal(next: Real | null): void;
+  draw(state: State, derived: Derived): void;
+}
+
+export function createAnswer(): AnswerLine {
   const bar = el("div", { class: "answer-line" });
   const live = el("span", { class: "visually-hidden", role: "status", "aria-live": "polite" });
   const root = el("section", { class: "answer", "aria-label": t("bar-title") }, bar, live);
   const speak = afterRest(text => setText(live, text));
+  let real: Real | null = null;
   return {
     root,
+    setReal(next) {
+      real = next;
+    },
     draw(state, derived) {
-      const answer = shownAnswer(state, derived);
-      const none = derived.simulates === "yes" ? t("bar-none") : "";
-      render(answer ? guard([answer], () => body(answer)) : html`<span class="answer-none">${none}</span>`, bar);
-      speak(answer ? spoken(answer) : "");
+      const program = state.view.source === "program";
+      const measured = program ? real : null;
+      const answer = measured ? answerAt(measured, derived.step) : shownAnswer(state, derived);
+      const file = measured?.file ?? "";
+      const certain = program ? null : derived.certain;
+      const none = answer ? "" : unanswered(state, derived);
+      const line = (found: Answer): TemplateResult =>
+        html`${guard([found, file, certain], () => body(found, file, certain))}`;
+      render(answer ? line(answer) : html`<span class="answer-none">${none}</span>`, bar);
+      speak(answer ? spoken(answer, file) : "");
     },
   };
 }

@@ -63,8 +63,9 @@ export function acceptDrops(
     event => {
       if (!carriesFiles(event)) return;
       event.preventDefault();
-      event.stopPropagation();
       mark(false);
+      if ((event.target as Element).closest("[data-takes-files]")) return; // it takes them itself
+      event.stopPropagation();
       const files = [...(event.dataTransfer?.files ?? [])];
       // only now does the browser tell; a folder has a size of 0 as an empty file has
       const entries = [...(event.dataTransfer?.items ?? [])].map(item => item.webkitGetAsEntry());

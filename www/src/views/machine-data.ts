@@ -74,7 +74,13 @@ function citedText({ name, key, set, source }: MachineField): string {
 
 const choiceText = (key: string, value: number): string => `${plain(value)} · ${optional(`${key}.v${value}`)}`;
 
-export function createMachineData(store: Store, actions: Actions, core: () => ProgramCore | null): MachineData {
+/** `check`: holds what a control exported against what measuring needs. */
+export function createMachineData(
+  store: Store,
+  actions: Actions,
+  core: () => ProgramCore | null,
+  check: () => void,
+): MachineData {
   const search = el("input", {
     type: "search",
     id: "machine-data-search",
@@ -94,6 +100,7 @@ export function createMachineData(store: Store, actions: Actions, core: () => Pr
   const assignments = el("button", { type: "button" }, t("machine-data-assignments"));
   const definitions = el("button", { type: "button" }, t("machine-data-definitions"));
   const reset = el("button", { type: "button" }, t("machine-data-reset"));
+  const checking = el("button", { type: "button" }, t("exported-title"));
   const dialog = el(
     "dialog",
     { class: "machine-data", "aria-labelledby": "machine-data-title" },
@@ -113,7 +120,7 @@ export function createMachineData(store: Store, actions: Actions, core: () => Pr
     ),
     list,
     cited,
-    el("div", { class: "actions" }, assignments, definitions, reset, close),
+    el("div", { class: "actions" }, checking, assignments, definitions, reset, close),
   );
   document.body.append(dialog);
 
@@ -210,6 +217,10 @@ export function createMachineData(store: Store, actions: Actions, core: () => Pr
   on(search, "input", () => drawAll(true));
   on(changedOnly, "change", () => drawAll(true));
   on(close, "click", () => dialog.close());
+  on(checking, "click", () => {
+    dialog.close();
+    check();
+  });
   on(assignments, "click", () => void copyText(view?.assignments ?? "", store, "notice-copied"));
   on(definitions, "click", () => void copyText(view?.definitions ?? "", store, "notice-copied"));
   on(reset, "click", () => {

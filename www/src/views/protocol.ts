@@ -12,6 +12,7 @@ import { saveFile } from "../state/files";
 import type { State } from "../state/state";
 import { say, sayProblem, t } from "../texts";
 import type { Arrow, ProtocolColumns, ProtocolRequest, ProtocolView } from "../wire";
+import type { Real } from "./answer";
 
 const ROLES = ["number", "line", "result", "nominal", "actual", "deviation"] as const;
 const SHOWN = 200; // lines that do not fit; all of them are saved
@@ -22,6 +23,8 @@ export interface ProtocolWays {
   core(): ProgramCore | null;
   /** The arrows of the 3D view; none: there is no protocol. */
   arrows(all: readonly (Arrow & { bad: boolean })[] | null): void;
+  /** What it tells of the calls, for the line of the answer; none: there is no protocol. */
+  real(told: Real | null): void;
 }
 
 export interface Protocol {
@@ -34,7 +37,7 @@ export interface Protocol {
 }
 
 /** A text as control and office write it. */
-async function textOf(file: File): Promise<string> {
+export async function textOf(file: File): Promise<string> {
   const bytes = await file.arrayBuffer();
   try {
     return new TextDecoder("utf-8", { fatal: true }).decode(bytes);
@@ -44,7 +47,7 @@ async function textOf(file: File): Promise<string> {
 }
 
 /** `changed`: what it came to is another. */
-export function createProtocol({ core, arrows }: ProtocolWays, changed: () => void): Protocol {
+export function createProtocol({ core, arrows, real }: ProtocolWays, changed: () => void): Protocol {
   const picker = el("input", { type: "file", hidden: true, tabindex: "-1", "aria-label": t("protocol-open") });
   const body = el("div");
   const root = el("section", { class: "protocol", "aria-label": t("protocol-title"), hidden: true }, body, picker);
@@ -61,6 +64,7 @@ export function createProtocol({ core, arrows }: ProtocolWays, changed: () => vo
     prover?.stop();
     [file, view, columns, problem, busy] = [null, null, {}, "", false];
     arrows(null);
+    real(null);
     show();
     changed();
   };
@@ -85,6 +89,7 @@ export function createProtocol({ core, arrows }: ProtocolWays, changed: () => vo
       view = JSON.parse(proved.json) as ProtocolView;
       const bad = view.answers.map(({ verdict }) => ["beyond", "rework", "scrap"].includes(verdict));
       arrows(view.arrows.map(one => ({ ...one, bad: bad[one.call] ?? false })));
+      real({ answers: view.answers, file: name });
     }
     show();
     changed();

@@ -67,7 +67,7 @@ export function createResults(
   goTo: (offset: number) => void,
   goToLine: (line: number) => void,
   given: Pick<Lacks, "pickFiles" | "machineValues">,
-  ways: WholeWays,
+  ways: Omit<WholeWays, "real">,
 ): Draw {
   const bar = el("div", { role: "tablist", class: "tabs", "aria-label": t("panel-results") });
   const answer = createAnswer();
@@ -107,7 +107,7 @@ export function createResults(
     },
   };
   const draws: Draw[] = [
-    createOutcome(page("outcome"), store, actions, goToLine, lacks, ways),
+    createOutcome(page("outcome"), store, actions, goToLine, lacks, { ...ways, real: answer.setReal }),
     createFindings(page("problems"), actions, goTo, lacks),
     createMotions(page("motions"), store),
     createLog(page("log")),

@@ -4,7 +4,6 @@ import { NOTHING, type SceneData } from "../core/scene";
 import type { Derived } from "../desk/derive";
 import { el, on, setAttribute, setText, show } from "../dom";
 import type { Cloud } from "../preview/backend";
-import type { Rect } from "../preview/places";
 import type { Preview } from "../preview/view";
 import type { Scanned } from "../state/scanned";
 import { AT_END, inFocus, type State } from "../state/state";
@@ -16,7 +15,7 @@ import { createExaggeration } from "./exaggerate";
 import { createLegend, type Thinned } from "./legend";
 import { missing } from "./missing";
 import { createScreen } from "./screen";
-import { type Stage, tool } from "./stage";
+import { type Stage, tool, watchTaken } from "./stage";
 import { createTimeline, paceAt } from "./timeline";
 
 const SOURCES = ["form", "program", "scan"] as const;
@@ -97,7 +96,7 @@ export function createScene(
       central,
     );
     preview.onDraw(cube.draw);
-    watchTaken(stage.box, [legend.root, errors.root, corner], preview.setTaken);
+    watchTaken(stage.box, [legend.root, errors.root, corner], preview);
     watchCovered(legend.root, preview.setCovered);
     tools.append(drawing);
     show(note, false);
@@ -210,21 +209,4 @@ function move(preview: Preview, step: number, pace: number): void {
 /** Tells how far this reaches from the left. To ask while drawing would lay out the page at each keystroke. */
 function watchCovered(legend: HTMLElement, tell: (width: number) => void): void {
   new ResizeObserver(() => tell(legend.offsetWidth + legend.offsetLeft)).observe(legend);
-}
-
-/** Tells the preview what covers it, whenever that is another. */
-function watchTaken(stage: HTMLElement, cards: readonly HTMLElement[], tell: (taken: Rect[]) => void): void {
-  const sizes = new ResizeObserver(() => {
-    const { left, top } = stage.getBoundingClientRect();
-    const boxes = cards.map(card => card.getBoundingClientRect()).filter(({ width }) => width > 0);
-    tell(
-      boxes.map(box => ({
-        left: box.left - left,
-        top: box.top - top,
-        right: box.right - left,
-        bottom: box.bottom - top,
-      })),
-    );
-  });
-  for (const node of [stage, ...cards]) sizes.observe(node);
 }

@@ -89,3 +89,21 @@ export function tool(name: IconName, label: string, run: () => void): HTMLButton
   on(button, "click", run);
   return button;
 }
+
+/** Tells the preview what covers it, whenever that is another and any of it is seen: two places have the stage in turn. */
+export function watchTaken(stage: HTMLElement, cards: readonly HTMLElement[], preview: Preview): void {
+  const sizes = new ResizeObserver(() => {
+    const { left, top } = stage.getBoundingClientRect();
+    const boxes = cards.map(card => card.getBoundingClientRect()).filter(({ width }) => width > 0);
+    if (boxes.length === 0) return;
+    preview.setTaken(
+      boxes.map(box => ({
+        left: box.left - left,
+        top: box.top - top,
+        right: box.right - left,
+        bottom: box.bottom - top,
+      })),
+    );
+  });
+  for (const node of [stage, ...cards]) sizes.observe(node);
+}

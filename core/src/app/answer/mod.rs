@@ -136,7 +136,7 @@ fn element(inputs: &Inputs) -> Option<Element> {
 }
 
 /// Whether a larger size is metal that is missing; none of what has no size.
-fn inside(inputs: &Inputs) -> Option<bool> {
+pub(super) fn inside(inputs: &Inputs) -> Option<bool> {
     match element(inputs)? {
         Element::Hole | Element::Groove | Element::Pocket => Some(true),
         Element::Shaft | Element::Web | Element::Boss => Some(false),

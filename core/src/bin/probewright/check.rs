@@ -118,14 +118,18 @@ pub fn print_placed(
     Ok(())
 }
 
-/// `error[61307]: cause. cure`, without a place.
-pub fn one_line(finding: &Diagnostic, words: &Words) -> String {
-    let severity = match finding.severity {
+/// How bad a finding is, as programs read it.
+pub fn severity(severity: Severity) -> &'static str {
+    match severity {
         Severity::Error => "error",
         Severity::Warning => "warning",
         Severity::Note => "note",
-    };
-    let mut line = format!("{severity}[{}]: ", finding.code);
+    }
+}
+
+/// `error[61307]: cause. cure`, without a place.
+pub fn one_line(finding: &Diagnostic, words: &Words) -> String {
+    let mut line = format!("{}[{}]: ", severity(finding.severity), finding.code);
     let cause = words.text(&finding.message);
     if let Some(param) = finding.param.filter(|param| !cause.starts_with(param.as_str())) {
         line.push_str(&param);

@@ -10,12 +10,14 @@ mod help;
 mod jog;
 mod joined;
 mod log;
+mod machine;
 mod progress;
 mod protocol;
 mod read;
 mod record;
 mod run;
 mod scan;
+mod series;
 mod stream;
 mod test;
 mod write;
@@ -56,8 +58,10 @@ enum Command {
     Write(write::Arguments),
     Read(read::Arguments),
     Run(Box<run::Arguments>),
+    Series(series::Arguments),
     Test(test::Arguments),
     Jog(jog::Arguments),
+    Machine(machine::Arguments),
 }
 
 fn main() -> ExitCode {
@@ -104,8 +108,10 @@ fn run_command(command: Command, words: &Words, out: &mut dyn Write) -> Result<E
         Command::Write(asked) => write::write(&asked, words, out),
         Command::Read(asked) => read::read(&asked, words, out),
         Command::Run(asked) => run::run(&asked, words, out),
+        Command::Series(asked) => series::series(&asked, words, out),
         Command::Test(asked) => test::test(&asked, words, out),
         Command::Jog(asked) => jog::jog(&asked, words, out),
+        Command::Machine(asked) => machine::machine(&asked, words, out),
     }
 }
 

@@ -105,11 +105,15 @@ fn the_types_of_the_page_are_those_of_the_core() {
     types.visit::<Catalogue>();
     types.visit::<AlarmInfo>();
     types.visit::<FormRequest>();
+    types.visit::<CertaintyRequest>();
+    types.visit::<CertaintyView>();
     types.visit::<FormView>();
     types.visit::<HelpRequest>();
     types.visit::<HelpView>();
     types.visit::<MachineRequest>();
     types.visit::<MachineView>();
+    types.visit::<MachineCheckRequest>();
+    types.visit::<MachineCheckView>();
     types.visit::<EquipRequest>();
     types.visit::<EquipView>();
     types.visit::<Story>();

@@ -1,0 +1,58 @@
+# Prüfung einer Maschine: was an ihren Maschinen- und Anwenderdaten falsch ist und was daraus folgt.
+
+machine-check-nothing = Nichts in diesem Text ist ein Maschinendatum oder Anwenderdatum, das zum Messen nötig ist: eine Datei mit Maschinendaten (.TEA, INITIAL.INI), eine Definitionsdatei oder ein Serieninbetriebnahme-Archiv in Textform wählen.
+machine-check-ending = Verglichene Daten: { $read }. Fehler: { $errors }. Warnungen: { $warnings }. Hinweise: { $notes }. Andere Zuweisungen in den Dateien: { $others }.
+machine-check-unread = Der Wert ist nicht lesbar: { $value }
+machine-check-twice = Zweimal mit verschiedenen Werten vorhanden: { $before }, dann { $value }. Der letzte gilt.
+machine-check-low = { $value } ist zu klein; mindestens { $limit }.
+machine-check-not = { $value } statt { $limit }.
+machine-check-between = { $value } liegt nicht zwischen 1 und { $limit }.
+machine-check-bits-missing = Diese Bits müssen 1 sein: { $bits }.
+machine-check-bits-set = Diese Bits müssen 0 sein: { $bits }.
+machine-check-range = { $value } liegt nicht zwischen { $min } und { $max }.
+machine-check-from = { $value } ist zu klein; mindestens { $min }.
+machine-check-above = { $value } ist zu klein; der Wert muss über { $min } liegen.
+machine-check-choice = { $value } ist nicht zulässig; zulässig: { $choices }.
+machine-check-count = Das Feld { $array } ist mit { $size } Elementen definiert.
+machine-check-fields = Jedes Element dieses Felds hat { $size } Daten; die Definition hat eine andere Anzahl.
+machine-check-units = Das Grundsystem ist { "MD10240" } = { $metric }: die Zyklen rechnen die Daten beim nächsten Aufruf um.
+machine-check-needs = Ohne { $other } = { $value } wirkungslos.
+machine-check-erases = Der nächste Aufruf setzt alle Messtasterdaten, Erfahrungswerte und Mittelwerte auf 0.
+machine-check-version = Der Softwarestand der Steuerung fehlt oder ist kleiner als 3.
+machine-check-uncalibrated = Dieser Werkstückmesstaster wurde nie kalibriert. Beim ersten Kalibrieren muss { "_TSA" } größer sein als der Kugelradius.
+machine-check-depth = Die Tiefe zum Messen des Radius ist 0.
+machine-check-axes = Jede der drei Ziffern ist 0 bis 3: eine für jede Achse.
+machine-check-size = Scheibendurchmesser oder Kantenlänge ist 0; Kalibrieren und Längenmessung brauchen den Wert.
+machine-check-own-speed = Drehzahl und Vorschub des Anwenders gelten, dieser Wert ist aber 0.
+machine-check-no-make = Die Korrektur der Messwerte braucht den Hersteller des Werkzeugmesstasters in { "_TP_CF" }.
+machine-check-no-table = Die Korrekturtabelle ist nicht ausgefüllt: Radien und Geschwindigkeiten aufsteigend.
+machine-check-assign = Dieses Maß des Werkzeugmesstasters muss eingetragen werden.
+machine-check-inputs = Automatikbetrieb und JOG verwenden verschiedene Messeingänge: { $other } = { $value }.
+machine-check-probe = Es gibt nur { $most } Messtaster ({ $other }).
+machine-check-most = Höchstens { $most }.
+machine-check-no-lines = Keine Wertezeile des Protokolls ist ausgefüllt.
+machine-check-skipped = In der Simulation überspringt die Steuerung die Messzyklen.
+machine-check-ratios = { $size } Einträge für { $probes } Werkstückmesstaster: bei den übrigen werden die Triggerwerte nicht korrigiert.
+
+machine-need-gud = Die Definitionsdateien GUD5, GUD6 und GUD7 lassen sich nicht aktivieren. Eine Änderung des Speichers löst Alarm 4400 aus: Serieninbetriebnahme sichern und wieder einlesen.
+machine-need-functions = Die Steuerung kennt nicht alle Zyklen mit Parametern.
+machine-need-lud = Die lokalen Variablen der Zyklen haben keinen Platz: das Programm hält am Aufruf an.
+machine-need-system-frame = Kein Messzyklus läuft.
+machine-need-basic-frame = Keine Korrektur im Basisframe: weder in JOG noch mit { "_KNUM" } = 2000.
+machine-need-channel-frame = Korrekturen in einem kanalspezifischen Basisframe werden abgelehnt.
+machine-need-fine = Korrekturen wirken in der Grobverschiebung; die Feinverschiebung wird eingerechnet und gelöscht.
+machine-need-level = Nur richtig für einen Messtaster, der ausgelenkt 0 V liefert; sonst gilt er in Ruhelage als ausgelenkt.
+machine-need-central = An einer 840D sl messen Messtaster an { "X122" } nicht.
+machine-need-hmi-time = Die Anzeige der Messergebnisse wird zu spät quittiert.
+machine-need-log-file = Die Protokolldatei ist früh voll: das Protokoll geht in Dateien _1 bis _9 weiter und fragt dann nach einem Namen.
+machine-need-mirror = Mit Spiegelung sind Ergebnisse der Werkstückmessung falsch.
+machine-need-additive = Summenkorrekturen werden abgelehnt.
+machine-need-setup-offset = Einrichtekorrekturen werden abgelehnt.
+machine-need-environment = Werkzeugumgebungen ({ "_TENV" }) gibt es nicht.
+machine-need-jog-start = Messen in JOG startet nicht.
+machine-need-geometry = Für Messen in JOG fehlt eine Geometrieachse.
+machine-need-reset-length = Nach RESET und Einschalten ist die Werkzeuglänge des Messtasters oder der Basisframe nicht aktiv.
+machine-need-start-length = Beim Programmstart geht die Werkzeuglängenkorrektur verloren.
+machine-need-tool-change = Bei RESET und Start behält die Werkzeugverwaltung den Messtaster nicht als aktives Werkzeug.
+machine-need-basic-reset = Der Basisbezug geht bei RESET verloren.
+machine-need-length-type = An einer Drehmaschine mit Bohrern oder Fräsern zählen deren Längen in falschen Achsen; 2 ist für solche Maschinen.

@@ -1,0 +1,58 @@
+# The check of a machine: what is wrong with its machine and user data, and what follows from it.
+
+machine-check-nothing = Nothing in this text is a machine datum or user datum that measuring needs: choose a file of machine data (.TEA, INITIAL.INI), a definition file or a series archive in text form.
+machine-check-ending = Data compared: { $read }. Errors: { $errors }. Warnings: { $warnings }. Notes: { $notes }. Other assignments in the files: { $others }.
+machine-check-unread = The value cannot be read: { $value }
+machine-check-twice = Given twice with different values: { $before }, then { $value }. The last one counts.
+machine-check-low = { $value } is too low; at least { $limit }.
+machine-check-not = { $value } instead of { $limit }.
+machine-check-between = { $value } is not between 1 and { $limit }.
+machine-check-bits-missing = Bits that must be 1: { $bits }.
+machine-check-bits-set = Bits that must be 0: { $bits }.
+machine-check-range = { $value } is not between { $min } and { $max }.
+machine-check-from = { $value } is too low; at least { $min }.
+machine-check-above = { $value } is too low; it must be above { $min }.
+machine-check-choice = { $value } is not permitted; permitted: { $choices }.
+machine-check-count = The array { $array } is defined with { $size } elements.
+machine-check-fields = Each element of this array has { $size } data; the definition has a different number.
+machine-check-units = The basic system is { "MD10240" } = { $metric }: the cycles convert the data at the next call.
+machine-check-needs = No effect without { $other } = { $value }.
+machine-check-erases = The next call sets all probe data, empirical values and mean values to 0.
+machine-check-version = The software version of the control is missing, or below 3.
+machine-check-uncalibrated = This workpiece probe was never calibrated. For the first calibration, { "_TSA" } must be larger than the ball radius.
+machine-check-depth = The depth for radius measurement is 0.
+machine-check-axes = Each of the three digits is 0 to 3: one for each axis.
+machine-check-size = Disk diameter or edge length is 0; calibration and length measurement use it.
+machine-check-own-speed = Speed and feed of the user apply, but this one is 0.
+machine-check-no-make = The correction of measured values needs the make of the tool probe in { "_TP_CF" }.
+machine-check-no-table = The correction table is not filled in: radii and speeds in ascending order.
+machine-check-assign = This size of the tool probe must be entered.
+machine-check-inputs = Automatic mode and JOG use different probe inputs: { $other } = { $value }.
+machine-check-probe = There are only { $most } probes ({ $other }).
+machine-check-most = At most { $most }.
+machine-check-no-lines = No value line of the log is filled in.
+machine-check-skipped = In simulation, the control skips the measuring cycles.
+machine-check-ratios = { $size } entries for { $probes } workpiece probes: for the others, the trigger values are not corrected.
+
+machine-need-gud = The definition files GUD5, GUD6 and GUD7 cannot be activated. A change of the memory raises alarm 4400: save and read back a series archive.
+machine-need-functions = The control does not know all cycles that have parameters.
+machine-need-lud = The local variables of the cycles do not fit: the program stops at the call.
+machine-need-system-frame = No measuring cycle runs.
+machine-need-basic-frame = No correction of the basic frame: neither in JOG nor with { "_KNUM" } = 2000.
+machine-need-channel-frame = Corrections of a channel basic frame are refused.
+machine-need-fine = Corrections go into the coarse offset; the fine offset is included and deleted.
+machine-need-level = Right only for a probe that gives 0 V when deflected; otherwise the probe counts as deflected at rest.
+machine-need-central = On an 840D sl, probes at { "X122" } do not measure.
+machine-need-hmi-time = The display of results is acknowledged too late.
+machine-need-log-file = The log file is full early: the log continues in files _1 to _9, then asks for a name.
+machine-need-mirror = With mirroring, results of workpiece measurement are wrong.
+machine-need-additive = Additive offsets are refused.
+machine-need-setup-offset = Setup offsets are refused.
+machine-need-environment = Tool environments ({ "_TENV" }) do not exist.
+machine-need-jog-start = Measuring in JOG does not start.
+machine-need-geometry = A geometry axis is missing for measuring in JOG.
+machine-need-reset-length = After RESET and power on, the tool length of the probe or the basic frame is not active.
+machine-need-start-length = At program start, the tool length offset is lost.
+machine-need-tool-change = At RESET and start, tool management does not keep the probe as the active tool.
+machine-need-basic-reset = The basic reference is lost at RESET.
+machine-need-length-type = On a lathe with drills or milling tools, their lengths count along the wrong axes; 2 is for these machines.

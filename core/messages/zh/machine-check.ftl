@@ -1,0 +1,58 @@
+# 机床检查：机床数据和用户数据有何错误，以及后果。
+
+machine-check-nothing = 此文本中没有测量所需的机床数据或用户数据：请选择机床数据文件（.TEA、INITIAL.INI）、定义文件或文本形式的批量调试存档。
+machine-check-ending = 已比较的数据：{ $read }。错误：{ $errors }。警告：{ $warnings }。提示：{ $notes }。文件中的其他赋值：{ $others }。
+machine-check-unread = 无法读取该值：{ $value }
+machine-check-twice = 两次给出不同的值：先为 { $before }，后为 { $value }。以最后一个为准。
+machine-check-low = { $value } 太小；至少为 { $limit }。
+machine-check-not = { $value }，应为 { $limit }。
+machine-check-between = { $value } 不在 1 至 { $limit } 之间。
+machine-check-bits-missing = 以下各位必须为 1：{ $bits }。
+machine-check-bits-set = 以下各位必须为 0：{ $bits }。
+machine-check-range = { $value } 不在 { $min } 至 { $max } 之间。
+machine-check-from = { $value } 太小；至少为 { $min }。
+machine-check-above = { $value } 太小；必须大于 { $min }。
+machine-check-choice = 不允许 { $value }；允许：{ $choices }。
+machine-check-count = 数组 { $array } 定义为 { $size } 个元素。
+machine-check-fields = 此数组的每个元素有 { $size } 个数据；定义中的个数不同。
+machine-check-units = 基本尺寸系统为 { "MD10240" } = { $metric }：循环在下次调用时换算数据。
+machine-check-needs = 没有 { $other } = { $value } 时不起作用。
+machine-check-erases = 下次调用会将所有测头数据、经验值和平均值置为 0。
+machine-check-version = 控制系统的软件版本缺失，或低于 3。
+machine-check-uncalibrated = 此工件测头从未校准。首次校准时，{ "_TSA" } 必须大于测球半径。
+machine-check-depth = 测量半径的深度为 0。
+machine-check-axes = 三位数字各为 0 至 3：每个轴一位。
+machine-check-size = 圆盘直径或边长为 0；校准和长度测量需要该值。
+machine-check-own-speed = 采用用户的转速和进给率，但此值为 0。
+machine-check-no-make = 测量值修正需要 { "_TP_CF" } 中的刀具测头制造商。
+machine-check-no-table = 修正表未填写：半径和速度按升序填写。
+machine-check-assign = 必须输入刀具测头的这个尺寸。
+machine-check-inputs = 自动方式与 JOG 使用不同的测量输入端：{ $other } = { $value }。
+machine-check-probe = 只有 { $most } 个测头（{ $other }）。
+machine-check-most = 最大为 { $most }。
+machine-check-no-lines = 测量记录的数值行均未填写。
+machine-check-skipped = 在模拟中，控制系统跳过测量循环。
+machine-check-ratios = { $probes } 个工件测头只有 { $size } 个条目：其余测头的触发值不作修正。
+
+machine-need-gud = 无法激活定义文件 GUD5、GUD6 和 GUD7。更改存储器会触发报警 4400：请保存批量调试存档并重新读入。
+machine-need-functions = 控制系统不能识别所有带参数的循环。
+machine-need-lud = 循环的局部变量容纳不下：程序在调用处停止。
+machine-need-system-frame = 任何测量循环都不能运行。
+machine-need-basic-frame = 不能修正基本坐标框架：JOG 中不能，{ "_KNUM" } = 2000 时也不能。
+machine-need-channel-frame = 拒绝对通道基本坐标框架的修正。
+machine-need-fine = 修正写入粗偏移；已有的精偏移计入其中并被删除。
+machine-need-level = 仅适用于偏转时为 0 V 的测头；否则测头在静止时即视为已偏转。
+machine-need-central = 在 840D sl 上，接在 { "X122" } 的测头不能测量。
+machine-need-hmi-time = 测量结果显示的应答太迟。
+machine-need-log-file = 记录文件很快写满：记录在文件 _1 至 _9 中继续，之后要求输入新名称。
+machine-need-mirror = 镜像时，工件测量的结果错误。
+machine-need-additive = 拒绝附加补偿。
+machine-need-setup-offset = 拒绝设定补偿。
+machine-need-environment = 没有刀具环境（{ "_TENV" }）。
+machine-need-jog-start = JOG 测量无法启动。
+machine-need-geometry = JOG 测量缺少一个几何轴。
+machine-need-reset-length = 复位和上电后，测头的刀具长度或基本坐标框架未激活。
+machine-need-start-length = 程序启动时丢失刀具长度补偿。
+machine-need-tool-change = 复位和启动时，刀具管理不会将测头保持为当前刀具。
+machine-need-basic-reset = 复位时丢失基本参考。
+machine-need-length-type = 在带钻头或铣刀的车床上，刀具长度沿错误的轴计算；2 用于此类机床。

@@ -1,0 +1,107 @@
+//! Machine data against what measuring needs of them.
+
+use super::fault::{Files, MachineFault, MachineLimit, written};
+use super::read::{Exported, Given};
+use crate::control::needs::{GUD_MEMORY, GUD_MEMORY_SOURCE, GUD_VALUES, Limit, NEEDS, Need, Test, Use, When};
+use crate::control::{Value, arrays};
+use crate::diagnostic::Severity;
+use crate::manual::Cited;
+use crate::message::Message;
+
+/// What is wrong, in the order of the needs.
+pub fn faults(given: &Exported, files: &Files, without: &[Use], large: bool) -> Vec<MachineFault> {
+    let limits = |need: &Need| limits(need, given, without, large);
+    let of_need = |need: &'static Need| {
+        let limits = limits(need);
+        let data = given.data.iter().filter(|((name, _), _)| arrays::stem(name) == need.number);
+        let faults = data.filter_map(|((name, channel), datum)| {
+            counts(need, given, *channel).then(|| fault(need, &limits, (name, *channel), datum, files)).flatten()
+        });
+        faults.collect::<Vec<_>>()
+    };
+    NEEDS.iter().flat_map(of_need).collect()
+}
+
+/// The limits that count on this machine, as they are.
+fn limits(need: &Need, given: &Exported, without: &[Use], large: bool) -> Vec<Limit> {
+    let counting = need.limits.iter().filter(|limit| !without.contains(&limit.of));
+    let mut limits: Vec<Limit> =
+        counting.map(|limit| Limit { value: if large { limit.large } else { limit.value }, ..*limit }).collect();
+    if need.number == GUD_VALUES {
+        let channels = given.channels().len() as f64;
+        let [control, channel, jog] = GUD_MEMORY;
+        let each = if without.contains(&Use::Jog) { channel } else { channel + jog };
+        let value = control + channels * each;
+        let (severity, of) = (Severity::Error, Use::Cycles);
+        limits.insert(0, Limit { severity, of, value, large: value, source: GUD_MEMORY_SOURCE });
+    }
+    // the largest of a severity satisfies all; what is smaller than an error is no warning
+    let largest = |severity| {
+        let of_it = limits.iter().filter(|limit| limit.severity == severity);
+        of_it.max_by(|one, other| one.value.total_cmp(&other.value)).copied()
+    };
+    [Severity::Error, Severity::Warning, Severity::Note].into_iter().filter_map(largest).collect()
+}
+
+/// Whether a condition counts. A bit that another condition sets counts as set: the lines to change set it.
+fn counts(need: &Need, given: &Exported, channel: u32) -> bool {
+    let When::Bit(number, bit) = need.when else { return true };
+    let has = |value: f64| value as u32 >> bit & 1 == 1;
+    let sets = |one: &Need| one.number == number && one.test == Test::Set && one.changed;
+    let set = NEEDS.iter().any(|one| sets(one) && one.limits.iter().any(|limit| has(limit.value)));
+    given.number(number, channel).is_some_and(|value| set || has(value))
+}
+
+fn fault(
+    need: &Need,
+    limits: &[Limit],
+    (name, channel): (&str, u32),
+    datum: &Given,
+    files: &Files,
+) -> Option<MachineFault> {
+    let place = Some(files.told(datum.place));
+    let Value::Number(value) = datum.value else {
+        let Value::Text(text) = &datum.value else { return None };
+        let message = Message::new("machine-check-unread").text("value", text).text("before", "");
+        return Some(MachineFault::new(Severity::Error, name, message, limits.first()?.source).at(place));
+    };
+    let missed = limits.iter().find(|limit| !need.test.holds(value, limit.value))?;
+    let best = limits.iter().fold(value, |value, limit| need.test.mended(value, limit.value));
+    let told = |limit: &Limit| MachineLimit {
+        severity: limit.severity,
+        value: match need.test {
+            Test::UpTo => format!("1..{}", limit.value),
+            Test::Clear => format!("{} = 0", written(name, limit.value)),
+            _ => written(name, limit.value),
+        },
+        source: Cited(limit.source),
+    };
+    let fault = MachineFault::new(missed.severity, name, said(need.test, value, missed.value), missed.source)
+        .channel(channel)
+        .value(written(name, value))
+        .at(place)
+        .effect(need.effect)
+        .alarm(need.alarm);
+    let limits: Vec<MachineLimit> = limits.iter().map(told).collect();
+    let fault = MachineFault { limits, ..fault };
+    Some(match need.test {
+        _ if !need.changed => fault,
+        Test::Set => fault.bits(best, [missed.value as u32, 0]),
+        Test::Clear => fault.bits(best, [0, missed.value as u32]),
+        _ => fault.mended(best),
+    })
+}
+
+/// What is wrong with a value.
+fn said(test: Test, value: f64, limit: f64) -> Message {
+    let (have, want) = (value as u32, limit as u32);
+    let (key, bits) = match test {
+        Test::AtLeast => ("machine-check-low", 0),
+        Test::Equal => ("machine-check-not", 0),
+        Test::UpTo => ("machine-check-between", 0),
+        Test::Set => ("machine-check-bits-missing", want & !have),
+        Test::Clear => ("machine-check-bits-set", want & have),
+    };
+    let numbers: Vec<String> = (0..32).filter(|bit| bits >> bit & 1 == 1).map(|bit: u32| bit.to_string()).collect();
+    Message::new(key).number("value", value).number("limit", limit).text("bits", numbers.join(", "))
+}

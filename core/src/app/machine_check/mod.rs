@@ -1,0 +1,100 @@
+//! The check of a machine: what its control exports, held against what measuring needs, with the lines to change.
+
+mod changes;
+mod data;
+mod fault;
+mod read;
+#[cfg(test)]
+mod tests;
+mod user;
+mod words;
+
+pub use fault::{MachineFault, MachineLimit, MachinePlace};
+
+use super::Error;
+use crate::control::needs::{NEEDS, Use};
+use crate::diagnostic::Severity;
+use crate::message::Message;
+use fault::Files;
+use read::Exported;
+use serde::{Deserialize, Serialize};
+
+/// What the control exported.
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
+pub struct MachineCheckRequest {
+    /// Its files, or what somebody typed, in their order.
+    pub files: Vec<ExportedFile>,
+    /// What this machine does not do.
+    #[serde(default)]
+    pub without: Vec<Use>,
+    /// Whether the control is an NCU 3, for which the manual prints larger memories (B:12955, A:14218).
+    #[serde(default)]
+    pub large: bool,
+}
+
+/// A file that the control exported.
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct ExportedFile {
+    /// Its name.
+    pub name: String,
+    /// Its text.
+    pub text: String,
+}
+
+/// What is wrong with a machine.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct MachineCheckView {
+    /// What is wrong, the worst first, then in the order of the manual.
+    pub faults: Vec<MachineFault>,
+    /// How many data were compared and what came of it, in words.
+    pub ending: Message,
+    /// Data that were read and are known to a check.
+    pub read: usize,
+    /// Machine data that measuring needs and that no file gives, as their control calls them.
+    pub missing: Vec<String>,
+    /// The lines to change, as a control reads them; empty: none.
+    pub changes: String,
+}
+
+/// Checks a machine by what its control exported.
+///
+/// # Errors
+/// Nothing of what was given is a datum that measuring needs.
+pub fn machine_check(asked: MachineCheckRequest) -> Result<MachineCheckView, Error> {
+    let mut given = Exported::default();
+    for (file, one) in asked.files.iter().enumerate() {
+        given.add(file, &one.text);
+    }
+    if given.data.is_empty() && given.sizes.is_empty() && given.unread.is_empty() {
+        return Err(Error::new("machine-check-nothing", crate::refused::Path::default()));
+    }
+    let files = Files { files: &asked.files };
+    let mut faults = fault::odd(&given, &files);
+    faults.extend(data::faults(&given, &files, &asked.without, asked.large));
+    faults.extend(user::faults(&given, &files, &asked.without));
+    faults.sort_by_key(|fault| fault.severity); // stable: within a severity the order of the manual
+    let count = |severity| faults.iter().filter(|fault| fault.severity == severity).count() as f64;
+    let ending = Message::new("machine-check-ending")
+        .number("read", given.data.len() as f64)
+        .number("others", given.others as f64)
+        .number("errors", count(Severity::Error))
+        .number("warnings", count(Severity::Warning))
+        .number("notes", count(Severity::Note));
+    let changes = changes::lines(&faults);
+    Ok(MachineCheckView { ending, read: given.data.len(), missing: missing(&given, &asked.without), changes, faults })
+}
+
+/// Machine data with an error among their limits that no file gives.
+fn missing(given: &Exported, without: &[Use]) -> Vec<String> {
+    let there = |number: &str| given.data.keys().any(|(name, _)| crate::control::arrays::stem(name) == number);
+    let needed = NEEDS.iter().filter(|need| {
+        let error = need.limits.iter().find(|limit| limit.severity == Severity::Error);
+        error.is_some_and(|limit| !without.contains(&limit.of)) && !there(need.number)
+    });
+    let mut names: Vec<String> = needed.map(|need| fault::identified(need.number)).collect();
+    names.dedup();
+    names
+}

@@ -1,0 +1,345 @@
+//! What a control exports, read line by line: machine data of a start-up file or an archive
+//! (`N18118 $MN_MM_NUM_GUD_MODULES=7`, below `CHANDATA(2)` those of the second channel), definition files
+//! (`DEF NCK REAL _TP[2,10]=(…)`), values of user data, and lines that somebody typed (`MD18118 = 7`). Any text can be
+//! read; what no check asks for is counted.
+
+use super::words::{Scan, Token};
+use crate::control::machine_data::{MACHINE_DATA, MachineDatum};
+use crate::control::{Value, arrays, gud};
+use std::collections::BTreeMap;
+
+/// Most elements of an array in a definition.
+const ELEMENTS: usize = 10_000;
+/// Highest number of a channel.
+const CHANNELS: u32 = 10;
+
+/// Where a value stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Place {
+    /// Which of the files.
+    pub file: usize,
+    /// Line, from 1.
+    pub line: u32,
+}
+
+/// A value that a file gives.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Given {
+    /// The value.
+    pub value: Value,
+    /// Where.
+    pub place: Place,
+}
+
+/// A line that says something that does not go together with another, or that cannot be read.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Odd {
+    /// The datum.
+    pub name: String,
+    /// Channel; 0: none is said.
+    pub channel: u32,
+    /// Where.
+    pub place: Place,
+    /// What it says, and the value of before where there was another.
+    pub texts: [String; 2],
+}
+
+/// Everything that the files give.
+#[derive(Clone, Debug, Default)]
+pub struct Exported {
+    /// By name (`MD18118`, `MD13200[0]`, `_WP[0,1]`) and channel; 0: a datum of the control, or no channel is said.
+    pub data: BTreeMap<(String, u32), Given>,
+    /// Sizes of the arrays in definition lines, by name.
+    pub sizes: BTreeMap<String, (Vec<usize>, Place)>,
+    /// Data that are given again with another value; the last one counts.
+    pub twice: Vec<Odd>,
+    /// Data whose value cannot be read.
+    pub unread: Vec<Odd>,
+    /// Assignments of which no check knows the datum.
+    pub others: usize,
+}
+
+impl Exported {
+    /// Reads one more file.
+    pub fn add(&mut self, file: usize, text: &str) {
+        let mut channel = 0;
+        for (line, text) in (1..).zip(text.trim_start_matches('\u{feff}').lines()) {
+            let place = Place { file, line };
+            Line { to: self, place, channel: &mut channel, number: None, scan: Scan::new(text) }.read();
+        }
+    }
+
+    /// A datum as a channel sees it.
+    pub fn get(&self, name: &str, channel: u32) -> Option<&Given> {
+        let of = |channel| self.data.get(&(name.to_owned(), channel));
+        of(channel).or_else(|| of(0))
+    }
+
+    /// A number as a channel sees it.
+    pub fn number(&self, name: &str, channel: u32) -> Option<f64> {
+        match self.get(name, channel)?.value {
+            Value::Number(number) => Some(number),
+            Value::Text(_) => None,
+        }
+    }
+
+    /// Channels that are named; 0 alone: none is.
+    pub fn channels(&self) -> Vec<u32> {
+        let mut channels: Vec<u32> = self.data.keys().map(|(_, channel)| *channel).filter(|one| *one > 0).collect();
+        channels.sort_unstable();
+        channels.dedup();
+        if channels.is_empty() { vec![0] } else { channels }
+    }
+}
+
+/// A line while it is read.
+struct Line<'a> {
+    to: &'a mut Exported,
+    place: Place,
+    channel: &'a mut u32,
+    /// Number of the machine datum in front: `N18118`.
+    number: Option<String>,
+    scan: Scan<'a>,
+}
+
+impl Line<'_> {
+    fn read(&mut self) {
+        loop {
+            let word = match self.scan.token() {
+                Token::End => return,
+                Token::Word(word) => word.to_ascii_uppercase(),
+                Token::Number(_) | Token::Text(_) | Token::Sign(_) => continue,
+            };
+            match word.as_str() {
+                "DEF" => return self.definition(),
+                "CHANDATA" => return self.of_channel(),
+                _ if self.number.is_none() && numbered(&word) => self.number = Some(word),
+                _ => self.assignment(&word),
+            }
+        }
+    }
+
+    /// `CHANDATA(2)`
+    fn of_channel(&mut self) {
+        let (_, number) = (self.scan.token(), self.scan.token());
+        if let Token::Number(number) = number {
+            *self.channel = (number as u32).min(CHANNELS);
+        }
+    }
+
+    /// `_TP[0,6]=20`, `18118: 7`; a word without a value is none.
+    fn assignment(&mut self, word: &str) {
+        let index = self.scan.index();
+        if !self.scan.assigns() {
+            return;
+        }
+        let number = self.number.take();
+        let Some(datum) = known(word, number.as_deref().and_then(|number| number.get(1..)), index) else {
+            self.to.others += 1;
+            self.scan.value();
+            return;
+        };
+        match self.scan.values() {
+            Some(values) => self.fill(&datum, &values),
+            None => {
+                let texts = [self.scan.rest().to_owned(), String::new()];
+                let odd = Odd { name: datum.name, channel: *self.channel, place: self.place, texts };
+                self.to.unread.push(odd);
+            }
+        }
+    }
+
+    /// `DEF NCK REAL _TP[2,10]=(0,0,…)`, several names behind commas.
+    fn definition(&mut self) {
+        loop {
+            match self.scan.token() {
+                Token::End => return,
+                Token::Word(word) => {
+                    let index = self.scan.index();
+                    let name = word.to_ascii_uppercase();
+                    let Some(found) = gud::find(&name) else { continue };
+                    let sizes = index.as_deref().and_then(sizes).unwrap_or_default();
+                    self.to.sizes.insert(name.clone(), (sizes.clone(), self.place));
+                    if self.scan.assigns()
+                        && let Some(values) = self.scan.values()
+                    {
+                        self.fill(&Datum { name, sizes, channel: found.channel }, &values);
+                    }
+                }
+                Token::Number(_) | Token::Text(_) | Token::Sign(_) => {}
+            }
+        }
+    }
+
+    /// Gives a datum, or the elements of an array from this one on, their values.
+    fn fill(&mut self, datum: &Datum, values: &[Option<Value>]) {
+        let alone = datum.sizes.is_empty() || values.len() == 1 && datum.name.contains('[');
+        let names = match alone {
+            true => vec![datum.name.clone()],
+            false => arrays::following(&datum.name, &datum.sizes).take(values.len()).collect(),
+        };
+        for (name, value) in names.into_iter().zip(values) {
+            if let Some(value) = value {
+                self.give(name, datum.channel, value.clone());
+            }
+        }
+    }
+
+    fn give(&mut self, name: String, of_channel: bool, value: Value) {
+        let channel = if of_channel { *self.channel } else { 0 };
+        let given = Given { value, place: self.place };
+        let shown = shown(&given.value);
+        if let Some(before) = self.to.data.insert((name.clone(), channel), given).map(|given| self::shown(&given.value))
+            && before != shown
+        {
+            self.to.twice.push(Odd { name, channel, place: self.place, texts: [shown, before] });
+        }
+    }
+}
+
+/// A value as it is shown.
+pub fn shown(value: &Value) -> String {
+    match value {
+        Value::Number(number) => number.to_string(),
+        Value::Text(text) => format!("\"{text}\""),
+    }
+}
+
+/// A datum that a check knows.
+struct Datum {
+    name: String,
+    /// Sizes of the array that it is; empty: a single value.
+    sizes: Vec<usize>,
+    channel: bool,
+}
+
+fn numbered(word: &str) -> bool {
+    let digits = word.strip_prefix('N').unwrap_or_default();
+    !digits.is_empty() && digits.bytes().all(|digit| digit.is_ascii_digit())
+}
+
+/// Sizes of an array in a definition; none: they are no numbers, or too large.
+fn sizes(index: &str) -> Option<Vec<usize>> {
+    let sizes: Vec<usize> = index.split(',').map(|one| one.trim().parse().ok()).collect::<Option<_>>()?;
+    let count = sizes.iter().try_fold(1_usize, |count, size| count.checked_mul(*size))?;
+    (count <= ELEMENTS).then_some(sizes)
+}
+
+/// The datum with this name in upper case, known by its number where the name is not printed in the manual.
+fn known(name: &str, number: Option<&str>, index: Option<String>) -> Option<Datum> {
+    let index = index.map_or(String::new(), |index| format!("[{}]", index.replace(' ', "")));
+    if let Some(gud) = gud::find(name) {
+        return Some(Datum { name: format!("{name}{index}"), sizes: gud.sizes.to_vec(), channel: gud.channel });
+    }
+    let datum = machine_datum(name, number)?;
+    let sizes = if datum.elements > 0 { vec![datum.elements] } else { Vec::new() };
+    Some(Datum { name: format!("{}{index}", datum.number), sizes, channel: of_channel(datum) })
+}
+
+/// Whether every channel has its own: machine data 20000 to 29999, setting data 42000 to 42999.
+pub fn of_channel(datum: &MachineDatum) -> bool {
+    let digits = datum.number.get(2..).unwrap_or_default();
+    matches!(digits.parse(), Ok(20_000..30_000 | 42_000..43_000))
+}
+
+fn machine_datum(name: &str, number: Option<&str>) -> Option<&'static MachineDatum> {
+    let plain = name.strip_prefix('$').and_then(|name| name.split_once('_')).map_or(name, |(_, plain)| plain);
+    let digits = number.or_else(|| name.strip_prefix("MD").or_else(|| name.strip_prefix("SD"))).unwrap_or(name);
+    let of_number = |datum: &&MachineDatum| datum.number.get(2..) == Some(digits);
+    let of_name = |datum: &&MachineDatum| !datum.identifier.is_empty() && datum.identifier == plain;
+    MACHINE_DATA.iter().find(of_name).or_else(|| MACHINE_DATA.iter().find(of_number))
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+    use proptest::prelude::*;
+
+    fn read(text: &str) -> Exported {
+        let mut read = Exported::default();
+        read.add(0, text);
+        read
+    }
+
+    fn number(text: &str, name: &str) -> Option<f64> {
+        read(text).number(name, 0)
+    }
+
+    // oracle: hand
+    #[test]
+    fn machine_data_are_read_however_they_are_written() {
+        for text in [
+            "N18118 $MN_MM_NUM_GUD_MODULES=7",
+            "N18118 $MM_NUM_GUD_MODULES = 7 '1a2b",
+            "$MN_MM_NUM_GUD_MODULES=7 ;delivered",
+            "MD18118 = 7",
+            "MD18118=7",
+            "18118: 7",
+            "md18118=7",
+            "MM_NUM_GUD_MODULES=7.0",
+            "\u{feff}N18118 $MN_SOMETHING_ELSE='H07'",
+            "MD18118 'B111'\nMD18118=7",
+        ] {
+            assert_eq!(number(text, "MD18118"), Some(7.0), "{text}");
+        }
+        for text in ["", "; MD18118=7", "MD18118", "MD18118=", "MD18118=seven", "18118", "MD181181=7"] {
+            assert_eq!(number(text, "MD18118"), None, "{text}");
+        }
+        assert_eq!(number("N28082 $MC_MM_SYSTEM_FRAME_MASK='H21'", "MD28082"), Some(33.0));
+        assert_eq!(number("MD20110=4045H", "MD20110"), Some(16453.0));
+        assert_eq!(number("N13200 $MN_MEAS_PROBE_LOW_ACTIVE[1]=TRUE", "MD13200[1]"), Some(1.0));
+        assert_eq!(number("N32300 $MA_MAX_AX_ACCEL[X1]=1.5", "MD32300[X1]"), Some(1.5));
+        assert_eq!(read("MD18118=seven").unread.len(), 1);
+        assert_eq!(read("N10000 $MN_AXCONF_MACHAX_NAME_TAB[0]=\"X1\"").others, 1);
+    }
+
+    // oracle: hand
+    #[test]
+    fn each_channel_has_its_own() {
+        let read =
+            read("CHANDATA(1)\nN28082 $MC_A=1\n_CHBIT[2]=0\nCHANDATA(2)\nN28082 $MC_A=2 \nMD18118=7\n_SPEED[1]=5");
+        assert_eq!((read.number("MD28082", 1), read.number("MD28082", 2)), (Some(1.0), Some(2.0)));
+        assert_eq!((read.number("_CHBIT[2]", 1), read.number("_CHBIT[2]", 2)), (Some(0.0), None));
+        assert_eq!((read.number("MD18118", 1), read.number("_SPEED[1]", 2)), (Some(7.0), Some(5.0)));
+        assert_eq!(read.channels(), [1, 2]);
+    }
+
+    // oracle: manual B:13278-13288 (the changed lines of the example)
+    #[test]
+    fn definition_files_give_sizes_and_values() {
+        let text = "%_N_GUD6_DEF\n;$PATH=/_N_DEF_DIR\nN10 DEF NCK INT _CVAL[4]=(2,2,0,0)\n\
+                    N11 DEF NCK REAL _TP[2,10]=(0,0,0,0,0,0,0,133,0,2)\nN12 DEF NCK REAL _WP[2,11]\n\
+                    ;N13 DEF NCK REAL _KB[3,7]\nN40 DEF CHAN INT _EVMVNUM[2]=(10,10)\nM17\n";
+        let read = read(text);
+        assert_eq!(read.sizes.get("_TP").map(|(sizes, _)| sizes.as_slice()), Some([2, 10].as_slice()));
+        assert_eq!(read.sizes.get("_WP").map(|(_, place)| place.line), Some(5));
+        assert!(!read.sizes.contains_key("_KB"));
+        assert_eq!((read.number("_CVAL[1]", 0), read.number("_CVAL[2]", 0)), (Some(2.0), Some(0.0)));
+        assert_eq!((read.number("_TP[0,7]", 0), read.number("_TP[1,7]", 0)), (Some(133.0), None));
+        assert_eq!(read.number("_EVMVNUM[1]", 0), Some(10.0));
+        let set = self::read("DEF CHAN INT _JM_I[10] = SET(0,1,,17)\nDEF CHAN REAL _MC_MTL[3]=(33.3,33.3,33.3)");
+        assert_eq!((set.number("_JM_I[1]", 0), set.number("_JM_I[2]", 0)), (Some(1.0), None));
+        assert_eq!((set.number("_JM_I[3]", 0), set.number("_MC_MTL[2]", 0)), (Some(17.0), Some(33.3)));
+    }
+
+    // oracle: hand
+    #[test]
+    fn several_in_a_line_and_texts_are_read_and_another_value_is_told() {
+        let read = read("N10 _TP[0,6]=20 _TP[1,6]=20 _PROTNAME[0]=\"A=1 ;B\"\nN20 _TP[0,6]=25\nN30 _TP[0,6]=25");
+        assert_eq!((read.number("_TP[0,6]", 0), read.number("_TP[1,6]", 0)), (Some(25.0), Some(20.0)));
+        assert_eq!(read.get("_PROTNAME[0]", 0).unwrap().value, Value::Text("A=1 ;B".to_owned()));
+        let told: Vec<_> = read.twice.iter().map(|odd| (odd.name.as_str(), odd.place.line, &odd.texts[1])).collect();
+        assert_eq!(told, [("_TP[0,6]", 2, &"20".to_owned())]);
+    }
+
+    proptest! {
+        // oracle: self
+        #[test]
+        fn any_text_is_read(text in any::<String>(), line in "[N$MD_A-Z0-9=\\[\\](),;'\" .:-]{0,80}") {
+            for text in [text.clone(), line.clone(), format!("DEF NCK REAL _TP[{line}"), format!("_TP[{line}={text}")] {
+                let _ = read(&text);
+            }
+        }
+    }
+}

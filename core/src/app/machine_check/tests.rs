@@ -1,0 +1,239 @@
+#![allow(clippy::unwrap_used)]
+
+use super::*;
+use crate::control::needs::{GUD_VALUES, Need, Test, When};
+use crate::words::Words;
+use Severity::{Error, Note, Warning};
+use fault::{spelled, written};
+use proptest::prelude::*;
+
+fn asked(text: &str) -> MachineCheckRequest {
+    let file = ExportedFile { name: "INITIAL.INI".to_owned(), text: text.to_owned() };
+    MachineCheckRequest { files: vec![file], without: Vec::new(), large: false }
+}
+
+fn check(text: &str) -> MachineCheckView {
+    machine_check(asked(text)).unwrap()
+}
+
+/// Name, severity and alarm of each fault.
+fn told(view: &MachineCheckView) -> Vec<(&str, Severity, &str)> {
+    view.faults
+        .iter()
+        .map(|fault| {
+            let alarm = fault.alarm.as_ref().map_or("", |alarm| alarm.key.strip_prefix("alarm-").unwrap_or(""));
+            (fault.name.as_str(), fault.severity, alarm)
+        })
+        .collect()
+}
+
+// oracle: manual B:12971 and B:16183 (20 names, 30 names), B:16186 and A:14245 (70, 80), B:16187 and A:14251 (600,
+// 800), B:16189 and A:14263 (14, 16; 27, 29 on an NCU 3)
+#[test]
+fn two_figures_of_the_manual_are_two_limits_with_both_places() {
+    for (number, error, warning, enough) in
+        [("MD18120", 19, 20, 30), ("MD18170", 69, 70, 80), ("MD18180", 599, 600, 800), ("MD28040", 13, 14, 16)]
+    {
+        let severity = |value: i32| check(&format!("{number}={value}")).faults.first().map(|fault| fault.severity);
+        assert_eq!(severity(error), Some(Error), "{number}");
+        assert_eq!(severity(warning), Some(Warning), "{number}");
+        assert_eq!(severity(enough), None, "{number}");
+        let view = check(&format!("{number}={error}"));
+        let values: Vec<String> = view.faults[0].limits.iter().map(|limit| limit.value.clone()).collect();
+        assert_eq!(values, [warning.to_string(), enough.to_string()]);
+        assert!(view.faults[0].limits.iter().all(|limit| !limit.source.to_string().is_empty()));
+        assert_eq!(view.faults[0].delivered.len(), 2);
+    }
+    let mut large = asked("MD28040=27");
+    assert_eq!(told(&machine_check(large.clone()).unwrap()), []);
+    large.large = true;
+    assert_eq!(told(&machine_check(large).unwrap()), [("MD28040", Warning, "")]);
+}
+
+// oracle: manual B:12971-12974 (7 KB, 4 KB a channel, 0.5 KB a channel with JOG; the sum of the example is 16)
+#[test]
+fn memory_is_needed_by_the_control_and_by_each_channel() {
+    let two = |value: &str| format!("CHANDATA(1)\n_CHBIT[4]=0\nCHANDATA(2)\n_CHBIT[4]=0\nMD18150={value}");
+    assert_eq!(told(&check(&two("15.9"))), [("MD18150", Error, "")]);
+    assert_eq!(told(&check(&two("16"))), [("MD18150", Warning, "")]);
+    assert_eq!(told(&check(&two("28"))), []);
+    let mut without = asked(&two("15"));
+    without.without = vec![Use::Jog];
+    assert_eq!(told(&machine_check(without).unwrap()), [("MD18150", Warning, "")]);
+}
+
+// oracle: manual B:12973, A:14205 (30 names more for JOG), B:14067-14151 (what only JOG needs)
+#[test]
+fn what_is_not_used_needs_nothing() {
+    let text = "MD18130=60\nMD11602=0\nMD20110=0\nMD11420=1\n_TP[0,9]=0\nE_MESS_MT_DL[0]=0";
+    let names = |without: &[Use]| {
+        let view = machine_check(MachineCheckRequest { without: without.to_vec(), ..asked(text) }).unwrap();
+        view.faults.iter().map(|fault| (fault.name.clone(), fault.severity)).collect::<Vec<_>>()
+    };
+    let all = names(&[]);
+    assert_eq!(all.len(), 6, "{all:?}");
+    let least = names(&[Use::Jog, Use::Log, Use::ToolProbe]);
+    assert_eq!(least, [("MD18130".to_owned(), Warning)]);
+}
+
+// oracle: manual B:12976-12983, A:15840 (bit 5), B:14099-14110 (4045H), B:14112-14119 (bit 6), B:14121-14127 (with
+// tool management only)
+#[test]
+fn masks_are_told_by_their_bits() {
+    let view = check("N28082 $MC_MM_SYSTEM_FRAME_MASK='H1'");
+    assert_eq!(told(&view), [("MD28082", Error, "61016")]);
+    assert_eq!(view.faults[0].message.word("bits"), Some("5"));
+    assert_eq!(view.changes, "N28082 $MC_MM_SYSTEM_FRAME_MASK='H21'\n");
+    let none = check("CHANDATA(2)\nMD28082=0");
+    assert_eq!(none.changes, "CHANDATA(2)\nN28082 $MC_MM_SYSTEM_FRAME_MASK='H21'\n");
+    let reset = check("MD20110='H41'\nMD20112='H440'");
+    assert_eq!(reset.faults[0].message.word("bits"), Some("2, 14"));
+    assert_eq!(reset.faults[1].message.word("bits"), Some("6"));
+    assert_eq!(reset.changes, "N20110 $MC_RESET_MODE_MASK='H4045'\nN20112 $MC_START_MODE_MASK='H400'\n");
+    assert_eq!(told(&check("MD20310=0")), []);
+    assert_eq!(told(&check("MD20310=1")), [("MD20310", Error, "")]);
+    // bit 0 of MD28082 is set by a line to change
+    assert_eq!(told(&check("MD24006=0\nMD28082=32")), [("MD24006", Error, ""), ("MD28082", Warning, "")]);
+    assert_eq!(told(&check("MD24006=0")), []);
+}
+
+// oracle: manual, at each row of the table in `user.rs`; the alarms A:15840-15948
+#[test]
+fn user_data_are_held_against_each_other() {
+    for (text, name, severity, alarm) in [
+        ("_CVAL[0]=3\nDEF NCK REAL _TP[2,10]", "_CVAL[0]", Error, "61416"),
+        ("_CVAL[1]=3\nDEF NCK REAL _WP[4,11]", "_CVAL[1]", Error, "61416"),
+        ("DEF NCK INT _CVAL[4]=(3,3,1,3)\nDEF NCK REAL _KB[3,7]", "_CVAL[2]", Error, "61416"),
+        ("_EVMVNUM[0]=20\nDEF CHAN REAL _EV[10]", "_EVMVNUM[0]", Error, ""),
+        ("DEF NCK REAL _WP[3,10]", "_WP", Error, ""),
+        ("MD10240=1\n_CBIT[3]=0", "_CBIT[3]", Error, ""),
+        ("MD10240=0\n_CHBIT[24]=1", "_CHBIT[24]", Error, ""),
+        ("_SPEED[1]=0", "_SPEED[1]", Error, "61338"),
+        ("_SPEED[0]=-1", "_SPEED[0]", Error, "61339"),
+        ("_CM[5]=0", "_CM[5]", Error, "61366"),
+        ("_CBIT[12]=1\n_MFS[1]=0", "_MFS[1]", Error, "61350"),
+        ("_TP[0,8]=102", "_TP[0,8]", Error, "61309"),
+        ("_TPW[0,9]=0", "_TPW[0,9]", Error, "61349"),
+        ("_TP[0,7]=143", "_TP[0,7]", Warning, ""),
+        ("_TP[0,6]=0", "_TP[0,6]", Warning, ""),
+        ("_CVAL[1]=1\nDEF NCK REAL _WP[1,11]=(0,0,0,0,0,0,0,0,0,0,0)", "_WP[0,0]", Warning, "61341"),
+        ("_CHBIT[10]=1\n_CHBIT[11]=1\n_CHBIT[18]=1", "_CHBIT[18]", Warning, ""),
+        ("_CBIT[0]=0\n_CBIT[1]=1", "_CBIT[1]", Note, ""),
+        ("_CHBIT[16]=1\n_CHBIT[2]=0", "_CHBIT[16]", Note, ""),
+        ("_CBIT[13]=1", "_CBIT[13]", Warning, ""),
+        ("_SI[1]=\"2\"", "_SI[1]", Error, "61342"),
+        ("_MT_COMP=1\n_TP_CF=0", "_MT_COMP", Warning, ""),
+        ("_MT_COMP=2", "_MT_COMP", Warning, ""),
+        ("_PROTFORM[1]=201", "_PROTFORM[1]", Error, "62310"),
+        ("_PROTFORM[4]=5", "_PROTFORM[4]", Error, "61363"),
+        ("DEF NCK STRING[100] _PROTVAL[13]=(\"\",\"\",\"\",\"\",\"\",\"\")", "_PROTVAL[0]", Error, "61370"),
+        ("E_MESS_MT_DR[2]=0", "E_MESS_MT_DR[2]", Error, "61230"),
+        ("_CHBIT[0]=1\nE_MESS_MS_IN=0", "_CHBIT[0]", Warning, ""),
+        ("_CVAL[1]=1\n_JM_I[1]=2", "_JM_I[1]", Error, "61313"),
+        ("_MC_SIMSIM=0", "_MC_SIMSIM", Note, ""),
+        ("_CVAL[1]=3\nDEF CHAN REAL _MC_MTL[2]", "_MC_MTL", Note, ""),
+    ] {
+        assert_eq!(told(&check(text)), [(name, severity, alarm)], "{text}");
+    }
+    // what they need is there
+    for text in ["_SPEED[1]=0\n_CHBIT[2]=0", "_CM[5]=0\n_CBIT[12]=1", "_CHBIT[10]=1\n_CHBIT[11]=0\n_CHBIT[18]=1"] {
+        assert_eq!(told(&check(text)), [], "{text}");
+    }
+    let two = check("MD10240=1\nCHANDATA(1)\n_CHBIT[24]=1\nCHANDATA(2)\n_CHBIT[24]=0");
+    assert_eq!(two.faults.iter().map(|fault| fault.channel).collect::<Vec<_>>(), [Some(2)]);
+    assert_eq!(two.changes, "CHANDATA(2)\n_CHBIT[24]=1\n");
+}
+
+// oracle: hand
+#[test]
+fn a_text_without_data_is_refused_and_lines_that_say_two_things_are_told() {
+    for text in ["", "N10 G0 X10\nM30", "hello", "\u{0}\u{fffd}"] {
+        assert_eq!(machine_check(asked(text)).unwrap_err().message.key, "machine-check-nothing", "{text}");
+    }
+    let view = check("MD18118=7\nMD18118=9\nMD18120=many");
+    assert_eq!(told(&view), [("MD18120", Error, ""), ("MD18118", Warning, "")]);
+    assert_eq!(view.faults[0].place.as_ref().map(|place| place.line), Some(3));
+    assert!(view.missing.contains(&"MD28082 MM_SYSTEM_FRAME_MASK".to_owned()));
+    assert!(!view.missing.iter().any(|name| name.starts_with("MD18118")));
+}
+
+/// A value that misses every limit of a condition.
+fn missing(need: &Need) -> f64 {
+    match need.test {
+        Test::AtLeast | Test::UpTo | Test::Set => 0.0,
+        Test::Equal => need.limits[0].value + 1.0,
+        Test::Clear => need.limits[0].value,
+    }
+}
+
+fn line(name: &str, value: f64) -> String {
+    format!("{}={}\n", spelled(name), written(name, value))
+}
+
+// oracle: self (each row alone; its limits and places are those of the table, which the manual gives)
+#[test]
+fn each_row_is_missed_and_mended_alone() {
+    let words = Words::english();
+    for need in NEEDS {
+        let condition = match need.when {
+            When::Always => String::new(),
+            When::Bit(number, bit) => line(number, f64::from(1_u32 << bit)),
+        };
+        let text = match need.when {
+            When::Bit(number, _) if number == need.number => condition,
+            _ => condition + &line(need.number, missing(need)),
+        };
+        let view = check(&text);
+        let key = format!("machine-need-{}", need.effect);
+        let fault = view.faults.iter().find(|fault| fault.effect.as_ref().is_some_and(|effect| effect.key == key));
+        let fault = fault.unwrap_or_else(|| panic!("{} {}", need.number, need.effect));
+        assert_eq!(crate::control::arrays::stem(&fault.name), need.number);
+        assert_eq!(fault.change.is_empty(), !need.changed, "{}", need.number);
+        assert_eq!(fault.alarm.is_some(), need.alarm > 0);
+        assert!(fault.limits.iter().all(|limit| !limit.source.to_string().is_empty()), "{}", need.number);
+        let mended = check(&format!("{text}{}", view.changes));
+        let left = |one: &&MachineFault| !one.change.is_empty();
+        assert_eq!(mended.faults.iter().find(left), None, "{text}{}", view.changes);
+        for message in [Some(&fault.message), fault.effect.as_ref(), fault.alarm.as_ref()].into_iter().flatten() {
+            assert!(words.find(message).is_some(), "{}", message.key);
+        }
+    }
+    let need = NEEDS.iter().find(|need| need.number == GUD_VALUES);
+    assert!(need.is_some_and(|need| need.limits.len() == 1));
+}
+
+proptest! {
+    // oracle: self (the lines to change, read behind the export, leave nothing to change)
+    #[test]
+    fn applied_changes_leave_nothing_to_change(
+        values in prop::collection::vec((0..NEEDS.len(), 0_u32..1200, 0_u32..3), 1..40),
+        switches in prop::collection::vec((0_usize..8, 0_u8..3, 0_u32..3), 0..20),
+    ) {
+        const USER: [&str; 8] = [
+            "_CBIT[3]", "_CHBIT[24]", "_CBIT[13]", "_SPEED[1]", "_CM[5]", "_TP[0,9]", "_CVAL[0]", "_JM_I[2]",
+        ];
+        let mut text = "DEF NCK REAL _TP[2,10]\nMD10240=1\n".to_owned();
+        for (at, value, channel) in values {
+            text += &format!("CHANDATA({channel})\n{}", line(NEEDS[at].number, f64::from(value)));
+        }
+        for (at, value, channel) in switches {
+            text += &format!("CHANDATA({channel})\n{}={value}\n", USER[at]);
+        }
+        let before = check(&text);
+        let file = |name: &str, text: &str| ExportedFile { name: name.to_owned(), text: text.to_owned() };
+        let files = vec![file("A.TEA", &text), file("CHANGES.TEA", &before.changes)];
+        let after = machine_check(MachineCheckRequest { files, ..asked("") }).unwrap();
+        let left: Vec<&MachineFault> = after.faults.iter().filter(|fault| !fault.change.is_empty()).collect();
+        prop_assert!(left.is_empty(), "{text}\n{}\n{left:?}", before.changes);
+    }
+
+    // oracle: self
+    #[test]
+    fn any_export_is_checked(text in any::<String>(), lines in prop::collection::vec(
+        "(N[0-9]{0,5} )?(\\$M[NCA]_)?(MD28082|_CVAL|_TP|DEF NCK REAL _WP|E_MESS_MT_DL)(\\[[0-9,-]{0,4}\\])?=.{0,9}",
+        0..9,
+    )) {
+        let _ = machine_check(asked(&text));
+        let _ = machine_check(asked(&lines.join("\n")));
+    }
+}

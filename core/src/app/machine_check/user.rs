@@ -1,0 +1,322 @@
+//! User data against the arrays, the machine data and each other.
+
+use super::fault::{Files, MachineFault};
+use super::read::{Exported, shown};
+use crate::control::gud::{Element, Gud, Initial};
+use crate::control::needs::Use;
+use crate::control::{Value, gud};
+use crate::diagnostic::Severity;
+use crate::message::Message;
+use Severity::{Error, Note, Warning};
+
+/// Counts of the fields, and the array of each (B:13345-13348, B:2316-2321); the alarm where they differ.
+const COUNTS: [(&str, &str, u32, &str); 6] = [
+    ("_CVAL[0]", "_TP", 61416, "B:13345;A:15935"),
+    ("_CVAL[1]", "_WP", 61416, "B:13346;A:15935"),
+    ("_CVAL[2]", "_KB", 61416, "B:13347;A:15935"),
+    ("_CVAL[3]", "_TPW", 61416, "B:13348;A:15935"),
+    ("_EVMVNUM[0]", "_EV", 0, "B:2316-2321;B:13711-13718"),
+    ("_EVMVNUM[1]", "_MV", 0, "B:2316-2321;B:13711-13718"),
+];
+
+/// Most probes (B:929, B:947).
+const MOST: usize = 99;
+
+/// Data of a field, which an array needs in its second dimension (B:13115-13121).
+const FIELDS: [&str; 4] = ["_TP", "_TPW", "_WP", "_KB"];
+
+/// Alarms of data outside of their range, by the beginning of their names.
+const ALARMS: [(&str, u32); 6] = [
+    ("_SPEED[0]", 61339),
+    ("_SPEED[1]", 61338),
+    ("_SPEED[2]", 61338),
+    ("_CM[5]", 61366),
+    ("_TP[", 61309),
+    ("_TPW[", 61309),
+];
+
+/// A switch that does nothing without another: the switch, what the other has to be, how bad it is, its place.
+const NEEDED: [(&str, &str, f64, Severity, &str); 5] = [
+    ("_CHBIT[18]", "_CHBIT[11]", 0.0, Warning, "B:13968-13971"),
+    ("_CHBIT[18]", "_CHBIT[10]", 1.0, Warning, "B:13968-13971"),
+    ("_CBIT[1]", "_CBIT[0]", 1.0, Note, "B:13576-13580"),
+    ("_CHBIT[16]", "_CHBIT[2]", 1.0, Note, "B:14005-14007"),
+    ("_CHBIT[14]", "_CHBIT[13]", 1.0, Note, "B:13869"),
+];
+
+/// What is wrong with the user data.
+pub fn faults(given: &Exported, files: &Files, without: &[Use]) -> Vec<MachineFault> {
+    let mut found = Vec::new();
+    found.extend(sizes(given, files));
+    for channel in given.channels() {
+        let one = Channel { given, files, channel };
+        one.units(&mut found);
+        one.switches(&mut found);
+        if !without.contains(&Use::ToolProbe) {
+            one.tool_probe(&mut found);
+        }
+        if !without.contains(&Use::Jog) {
+            one.measuring_in_jog(&mut found);
+        }
+        if !without.contains(&Use::Log) {
+            one.log(&mut found);
+        }
+        one.simulation(&mut found);
+    }
+    found.extend(ranges(given, files, without));
+    unique(found)
+}
+
+/// Each fault once: what the control has is seen by every channel.
+fn unique(found: Vec<MachineFault>) -> Vec<MachineFault> {
+    let mut seen = std::collections::BTreeSet::new();
+    let key = |fault: &MachineFault| (fault.name.clone(), fault.channel, fault.message.key.clone());
+    found.into_iter().filter(|fault| seen.insert(key(fault))).collect()
+}
+
+/// Sizes of arrays against what counts their fields, and against what a field holds.
+fn sizes(given: &Exported, files: &Files) -> Vec<MachineFault> {
+    let mut found = Vec::new();
+    for (count, array, alarm, source) in COUNTS {
+        let Some((sizes, place)) = given.sizes.get(array) else { continue };
+        let size = sizes.first().copied().unwrap_or(0) as f64;
+        for channel in given.channels() {
+            let Some(number) = given.number(count, channel).filter(|number| *number != size) else { continue };
+            let message = Message::new("machine-check-count").text("array", array).number("size", size);
+            let fault = MachineFault::new(Error, count, message, source).value(number.to_string());
+            found.push(fault.at(Some(files.told(*place))).alarm(alarm).mended(size));
+        }
+    }
+    for array in FIELDS {
+        let (Some((sizes, place)), Some(gud)) = (given.sizes.get(array), gud::find(array)) else { continue };
+        let want = gud.sizes.get(1).copied().unwrap_or(0);
+        if sizes.get(1) != Some(&want) {
+            let message = Message::new("machine-check-fields").number("size", want as f64);
+            let fault = MachineFault::new(Error, array, message, "B:13115-13121");
+            found.push(fault.at(Some(files.told(*place))));
+        }
+    }
+    found
+}
+
+/// Values outside of what the tables allow.
+fn ranges(given: &Exported, files: &Files, without: &[Use]) -> Vec<MachineFault> {
+    let mut found = Vec::new();
+    for ((name, channel), datum) in &given.data {
+        let Some((gud, at)) = gud::place(name) else { continue };
+        let (Some(element), Value::Number(value)) = (gud.element(&at), &datum.value) else { continue };
+        if element.internal || fits(element, *value) || unused(gud, without) {
+            continue;
+        }
+        // no speed of positioning matters with collision monitoring only, no direction where the cycle has the speed
+        let watched = |switch: &str, as_delivered: f64| given.number(switch, *channel).unwrap_or(as_delivered);
+        match name.as_str() {
+            "_SPEED[1]" | "_SPEED[2]" if watched("_CHBIT[2]", 1.0) == 0.0 => continue,
+            "_CM[5]" if watched("_CBIT[12]", 0.0) == 1.0 => continue,
+            _ => {}
+        }
+        let begins =
+            |(begin, _): &&(&str, u32)| name.starts_with(begin) && (!begin.ends_with('[') || at.get(1) == Some(&8));
+        let alarm = ALARMS.iter().find(begins).map_or(0, |(_, alarm)| *alarm);
+        let fault = MachineFault::new(Error, name, allowed(element, *value), element.source);
+        let fault = fault.channel(*channel).value(value.to_string()).at(Some(files.told(datum.place))).alarm(alarm);
+        let Initial::Number(initial) = element.initial else { continue };
+        found.push(if fits(element, initial) { fault.mended(initial) } else { fault });
+    }
+    found
+}
+
+/// Whether what a datum is for is not used on this machine.
+fn unused(gud: &Gud, without: &[Use]) -> bool {
+    let of_jog = gud.name.starts_with("E_MESS") || gud.name.starts_with("_JM_");
+    let of_probe = ["_TP", "_TPW", "_CM", "_MFS", "_MT_COMP", "_TP_CF", "_MT_EC_R", "_MT_EC_L"].contains(&gud.name);
+    of_jog && without.contains(&Use::Jog) || of_probe && without.contains(&Use::ToolProbe)
+}
+
+fn fits(element: &Element, value: f64) -> bool {
+    let chosen = element.choices.is_empty() || element.choices.iter().any(|choice| *choice as f64 == value);
+    element.range.contains(value) && chosen
+}
+
+/// That a value is none of those that are allowed.
+fn allowed(element: &Element, value: f64) -> Message {
+    let range = element.range;
+    let message = match element.choices {
+        [] if range.max.is_finite() => Message::new("machine-check-range"),
+        [] if range.min_included => Message::new("machine-check-from"),
+        [] => Message::new("machine-check-above"),
+        choices => {
+            let list: Vec<String> = choices.iter().map(i64::to_string).collect();
+            Message::new("machine-check-choice").text("choices", list.join(", "))
+        }
+    };
+    let end = |end: f64| if end.is_finite() { end } else { 0.0 };
+    message.number("value", value).number("min", end(range.min)).number("max", end(range.max))
+}
+
+/// The data as one channel sees them.
+struct Channel<'a> {
+    given: &'a Exported,
+    files: &'a Files<'a>,
+    channel: u32,
+}
+
+impl Channel<'_> {
+    fn number(&self, name: &str) -> Option<f64> {
+        self.given.number(name, self.channel)
+    }
+
+    /// A datum with what is wrong, in the channel where it stands.
+    fn fault(&self, severity: Severity, name: &str, message: Message, source: &'static str) -> MachineFault {
+        let datum = self.given.get(name, self.channel);
+        let own = gud::named(name).is_some_and(|gud| gud.channel);
+        MachineFault::new(severity, name, message, source)
+            .channel(if own { self.channel } else { 0 })
+            .value(datum.map_or_else(String::new, |datum| shown(&datum.value)))
+            .at(datum.map(|datum| self.files.told(datum.place)))
+    }
+
+    /// How many probes there are: as the array is defined, which the lines to change follow, else as counted.
+    fn probes(&self, count: &str, array: &str) -> Option<usize> {
+        let defined = self.given.sizes.get(array).and_then(|(sizes, _)| sizes.first().copied());
+        let counted = || self.number(count).map(|count| count.max(0.0) as usize);
+        defined.or_else(counted).map(|probes| probes.min(MOST))
+    }
+
+    fn told(&self, severity: Severity, name: &str, key: &'static str, source: &'static str) -> MachineFault {
+        self.fault(severity, name, Message::new(key), source)
+    }
+
+    /// The basic system, which the data follow (B:13594-13598, B:14059-14061).
+    fn units(&self, found: &mut Vec<MachineFault>) {
+        let Some(metric) = self.number("MD10240") else { return };
+        for (name, source) in
+            [("_CBIT[3]", "B:13594-13598;A:14731-14737"), ("_CHBIT[24]", "B:14059-14061;A:15217-15219")]
+        {
+            if self.number(name).is_some_and(|switch| switch != metric) {
+                let message = Message::new("machine-check-units").number("metric", metric);
+                found.push(self.fault(Error, name, message, source).mended(metric));
+            }
+        }
+    }
+
+    fn switches(&self, found: &mut Vec<MachineFault>) {
+        for (name, other, want, severity, source) in NEEDED {
+            if self.number(name) == Some(1.0) && self.number(other).is_some_and(|value| value != want) {
+                let message = Message::new("machine-check-needs").text("other", other).number("value", want);
+                found.push(self.fault(severity, name, message, source));
+            }
+        }
+        if self.number("_CBIT[13]") == Some(1.0) {
+            found.push(self.told(Warning, "_CBIT[13]", "machine-check-erases", "B:13643-13644").mended(0.0));
+        }
+        if let Some(Value::Text(version)) = self.given.get("_SI[1]", self.channel).map(|given| &given.value) {
+            let first = version.trim().chars().next().and_then(|digit| digit.to_digit(10));
+            if first.is_none_or(|digit| digit < 3) {
+                let fault = self.told(Error, "_SI[1]", "machine-check-version", "B:15252-15262;A:15883");
+                found.push(fault.alarm(61342));
+            }
+        }
+        let probes = self.probes("_CVAL[1]", "_WP").unwrap_or(0);
+        for k in 0..probes {
+            let points: Vec<Option<f64>> = (0..=6).map(|i| self.number(&format!("_WP[{k},{i}]"))).collect();
+            if points.iter().all(|point| *point == Some(0.0)) {
+                let name = format!("_WP[{k},0]");
+                found.push(self.told(Warning, &name, "machine-check-uncalibrated", "B:5148;A:15882").alarm(61341));
+            }
+        }
+    }
+
+    fn tool_probe(&self, found: &mut Vec<MachineFault>) {
+        for (array, count) in [("_TP", "_CVAL[0]"), ("_TPW", "_CVAL[3]")] {
+            let probes = self.probes(count, array).unwrap_or(MOST);
+            for k in 0..probes {
+                let of = |i: usize| format!("{array}[{k},{i}]");
+                if self.number(&of(9)) == Some(0.0) {
+                    let fault = self.told(Error, &of(9), "machine-check-depth", "B:13369;A:15891");
+                    found.push(fault.alarm(61349).mended(2.0));
+                }
+                let axes = self.number(&of(7)).filter(|axes| (0.0..1000.0).contains(axes)).unwrap_or(0.0) as u32;
+                if [axes % 10, axes / 10 % 10, axes / 100].iter().any(|digit| *digit > 3) {
+                    found.push(self.told(Warning, &of(7), "machine-check-axes", "B:13364;B:4720-4735"));
+                }
+                if self.number(&of(6)) == Some(0.0) {
+                    found.push(self.told(Warning, &of(6), "machine-check-size", "B:13363"));
+                }
+            }
+        }
+        if self.number("_CBIT[12]") == Some(1.0) {
+            for name in ["_MFS[0]", "_MFS[1]"] {
+                if self.number(name) == Some(0.0) {
+                    found.push(self.told(Error, name, "machine-check-own-speed", "A:15892;B:13515-13516").alarm(61350));
+                }
+            }
+        }
+        if self.number("_MT_COMP") == Some(1.0) && self.number("_TP_CF") == Some(0.0) {
+            found.push(self.told(Warning, "_MT_COMP", "machine-check-no-make", "B:13797-13805"));
+        }
+        let ascending = |table: &str| {
+            let radii: Vec<f64> = (1..=4).filter_map(|i| self.number(&format!("{table}[0,{i}]"))).collect();
+            radii.first() > Some(&0.0) && radii.windows(2).all(|pair| pair[0] < pair[1])
+        };
+        if self.number("_MT_COMP") == Some(2.0) && !ascending("_MT_EC_R") && !ascending("_MT_EC_L") {
+            found.push(self.told(Warning, "_MT_COMP", "machine-check-no-table", "B:13805-13821"));
+        }
+    }
+
+    fn measuring_in_jog(&self, found: &mut Vec<MachineFault>) {
+        for name in ["E_MESS_MT_DL", "E_MESS_MT_DR"].iter().flat_map(|name| (0..3).map(move |k| format!("{name}[{k}]")))
+        {
+            if self.number(&name) == Some(0.0) {
+                let fault = self.told(Error, &name, "machine-check-assign", "B:14294-14296;A:15406-15408");
+                found.push(fault.alarm(61230));
+            }
+        }
+        for (name, other) in [("_CHBIT[0]", "E_MESS_MS_IN"), ("_CHBIT[1]", "E_MESS_MT_IN")] {
+            let (Some(input), Some(in_jog)) = (self.number(name), self.number(other)) else { continue };
+            if input != in_jog {
+                let message = Message::new("machine-check-inputs").text("other", other).number("value", in_jog);
+                found.push(self.fault(Warning, name, message, "B:13888-13898;B:14251-14252"));
+            }
+        }
+        for (name, count, array) in [("_JM_I[1]", "_CVAL[1]", "_WP"), ("_JM_I[2]", "_CVAL[0]", "_TP")] {
+            let (Some(probe), Some(most)) = (self.number(name), self.probes(count, array)) else { continue };
+            let most = most as f64;
+            if probe > most {
+                let message = Message::new("machine-check-probe").text("other", count).number("most", most);
+                found.push(self.fault(Error, name, message, "B:14324-14325").alarm(61313).mended(most));
+            }
+        }
+    }
+
+    fn log(&self, found: &mut Vec<MachineFault>) {
+        for (name, most, alarm, source) in
+            [("_PROTFORM[1]", 200.0, 62310, "A:15947"), ("_PROTFORM[4]", 4.0, 61363, "A:15907")]
+        {
+            if self.number(name).is_some_and(|value| value > most) {
+                let message = Message::new("machine-check-most").number("most", most);
+                found.push(self.fault(Error, name, message, source).alarm(alarm).mended(most));
+            }
+        }
+        let lines: Vec<_> = (0..=5).filter_map(|i| self.given.get(&format!("_PROTVAL[{i}]"), self.channel)).collect();
+        let empty = |value: &Value| matches!(value, Value::Text(text) if text.trim().is_empty());
+        if lines.len() == 6 && lines.iter().all(|given| empty(&given.value)) {
+            found.push(self.told(Error, "_PROTVAL[0]", "machine-check-no-lines", "A:15914").alarm(61370));
+        }
+    }
+
+    fn simulation(&self, found: &mut Vec<MachineFault>) {
+        if self.number("_MC_SIMSIM") == Some(0.0) {
+            found.push(self.told(Note, "_MC_SIMSIM", "machine-check-skipped", "B:682-694"));
+        }
+        let probes = self.probes("_CVAL[1]", "_WP").unwrap_or(0) as f64;
+        if let Some((sizes, place)) = self.given.sizes.get("_MC_MTL") {
+            let size = sizes.first().copied().unwrap_or(0) as f64;
+            if size < probes {
+                let message = Message::new("machine-check-ratios").number("size", size).number("probes", probes);
+                let fault = MachineFault::new(Note, "_MC_MTL", message, "B:13240-13244");
+                found.push(fault.at(Some(self.files.told(*place))));
+            }
+        }
+    }
+}

@@ -1,0 +1,181 @@
+//! What the runs of a series came to, one after the other.
+
+use super::{SeriesAlarm, SeriesCall, SeriesCorrection, SeriesFigure, SeriesShare, SeriesSpread, SeriesView};
+use crate::app::answer::{Figure, Limited, Verdict};
+use crate::app::outcome::{Raised, alarms};
+use crate::app::run::{OfCall, RunAnswer, answers};
+use crate::machine::series::Series;
+use crate::machine::{Setup, Stop};
+use crate::message::Message;
+use crate::run::Outcome;
+use crate::series::capability::capability;
+use crate::series::decide::Limits;
+use crate::series::spread::{Spread, share_error};
+
+/// Most calls of a program whose results are kept: a loop may have any number.
+const CALLS: usize = 1000;
+/// Intervals of a histogram.
+const INTERVALS: usize = 20;
+
+/// The runs so far.
+#[derive(Default)]
+pub(super) struct Collected {
+    runs: usize,
+    finished: usize,
+    calls: Vec<Call>,
+    alarms: Vec<(Raised, usize)>,
+}
+
+/// A call so far.
+struct Call {
+    call: OfCall,
+    feature: Message,
+    figures: Vec<Column>,
+    corrected: Vec<Corrected>,
+    verdicts: Vec<(Verdict, Message, usize)>,
+}
+
+/// A quantity so far: a value for each run, not a number where a run has none.
+struct Column {
+    name: &'static str,
+    label: Message,
+    unit: &'static str,
+    limits: Option<Limited>,
+    values: Vec<f64>,
+    deviations: Vec<f64>,
+}
+
+/// A datum so far.
+struct Corrected {
+    target: Message,
+    part: String,
+    unit: &'static str,
+    by: Vec<f64>,
+}
+
+impl Collected {
+    /// Takes a run; false: it was given up.
+    pub(super) fn add(&mut self, setup: &Setup, outcome: &Outcome) -> bool {
+        for (index, answer) in answers(setup, outcome).into_iter().take(CALLS).enumerate() {
+            if index == self.calls.len() {
+                self.calls.push(Call::new(&answer));
+            }
+            self.calls[index].add(self.runs, answer);
+        }
+        let mut raised = alarms(outcome);
+        raised.dedup();
+        for one in raised {
+            match self.alarms.iter_mut().find(|(known, _)| (&known.code, &known.message) == (&one.code, &one.message)) {
+                Some((_, count)) => *count += 1,
+                None => self.alarms.push((one, 1)),
+            }
+        }
+        self.runs += 1;
+        self.finished += usize::from(outcome.finished());
+        !matches!(&outcome.stop, Some(Stop::Fault(message)) if message.key == "run-steps")
+    }
+
+    /// What they came to.
+    pub(super) fn view(self, series: &Series) -> SeriesView {
+        let runs = self.runs;
+        let alarm = |(raised, count): (Raised, usize)| {
+            let share = share(count, runs);
+            SeriesAlarm { raised, count, share, error: share_error(share, runs) }
+        };
+        SeriesView {
+            runs: runs as u32,
+            seed: series.seed,
+            mode: series.mode,
+            finished: self.finished,
+            calls: self.calls.into_iter().map(|call| call.view(runs)).collect(),
+            alarms: self.alarms.into_iter().map(alarm).collect(),
+        }
+    }
+}
+
+fn share(count: usize, runs: usize) -> f64 {
+    count as f64 / runs.max(1) as f64
+}
+
+impl Call {
+    fn new(answer: &RunAnswer) -> Call {
+        let (figures, corrected, verdicts) = (Vec::new(), Vec::new(), Vec::new());
+        Call { call: answer.call, feature: answer.answer.feature.clone(), figures, corrected, verdicts }
+    }
+
+    fn add(&mut self, run: usize, RunAnswer { answer, .. }: RunAnswer) {
+        for figure in &answer.figures {
+            let at = self.figures.iter().position(|column| column.name == figure.name).unwrap_or_else(|| {
+                self.figures.push(Column::new(figure));
+                self.figures.len() - 1
+            });
+            self.figures[at].add(run, figure);
+        }
+        for correction in &answer.corrected {
+            for part in &correction.parts {
+                let known = |one: &Corrected| (&one.target, &one.part) == (&correction.target, &part.name);
+                let at = self.corrected.iter().position(known).unwrap_or_else(|| {
+                    let (target, part, unit) = (correction.target.clone(), part.name.clone(), part.unit);
+                    self.corrected.push(Corrected { target, part, unit, by: Vec::new() });
+                    self.corrected.len() - 1
+                });
+                self.corrected[at].by.push(part.by);
+            }
+        }
+        match self.verdicts.iter_mut().find(|(_, words, _)| *words == answer.verdict_words) {
+            Some((_, _, count)) => *count += 1,
+            None => self.verdicts.push((answer.verdict, answer.verdict_words, 1)),
+        }
+    }
+
+    fn view(self, runs: usize) -> SeriesCall {
+        let verdict = |(verdict, words, count): (Verdict, Message, usize)| {
+            let share = share(count, runs);
+            SeriesShare { verdict, words, count, share, error: share_error(share, runs) }
+        };
+        let corrected = |one: Corrected| {
+            let spread = SeriesSpread::from(&Spread::of(one.by));
+            SeriesCorrection { target: one.target, part: one.part, unit: one.unit, spread }
+        };
+        let mut verdicts: Vec<SeriesShare> = self.verdicts.into_iter().map(verdict).collect();
+        verdicts.sort_by_key(|one| std::cmp::Reverse(one.count));
+        SeriesCall {
+            call: self.call,
+            feature: self.feature,
+            measured: self.figures.into_iter().map(Column::view).collect(),
+            corrected: self.corrected.into_iter().map(corrected).collect(),
+            verdicts,
+            uncorrected: Vec::new(),
+        }
+    }
+}
+
+impl Column {
+    fn new(figure: &Figure) -> Column {
+        let Figure { name, label, unit, limits, .. } = figure;
+        let (values, deviations) = (Vec::new(), Vec::new());
+        Column { name, label: label.clone(), unit, limits: *limits, values, deviations }
+    }
+
+    fn add(&mut self, run: usize, figure: &Figure) {
+        self.values.resize(run, f64::NAN);
+        self.values.push(figure.actual);
+        self.deviations.extend(figure.deviation);
+        self.limits = self.limits.or(figure.limits);
+    }
+
+    fn view(self) -> SeriesFigure {
+        let spread = Spread::of(self.values.clone());
+        let limits = self.limits.map(|limits| Limits { low: limits.low, high: limits.high });
+        SeriesFigure {
+            name: self.name,
+            label: self.label,
+            unit: self.unit,
+            spread: SeriesSpread::from(&spread),
+            histogram: spread.histogram(INTERVALS),
+            limits: limits.map(|limits| [limits.low, limits.high]),
+            capability: limits.and_then(|limits| capability(&Spread::of(self.deviations), limits)),
+            values: self.values,
+        }
+    }
+}

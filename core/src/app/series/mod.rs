@@ -1,0 +1,235 @@
+//! A program carried out many times: how its results spread, what follows from them, and which alarms come.
+
+mod collect;
+#[cfg(test)]
+mod tests;
+
+use super::answer::Verdict;
+use super::outcome::Raised;
+use super::run::OfCall;
+use crate::control::Control;
+use crate::machine::Setup;
+use crate::machine::series::Mode;
+use crate::message::Message;
+use crate::run::{Limits, Outcome, Session};
+use crate::series::capability::Capability;
+use crate::series::draw;
+use crate::series::spread::Spread;
+use crate::syntax::Program;
+use collect::Collected;
+use serde::Serialize;
+use std::rc::Rc;
+
+/// How the results of a program spread over many runs.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SeriesView {
+    /// How many runs.
+    pub runs: u32,
+    /// Seed of all random numbers: the same seed gives the same results.
+    pub seed: u64,
+    /// Whether a run found what the one before it left.
+    pub mode: Mode,
+    /// How many runs reached the end of the program.
+    pub finished: usize,
+    /// The measuring calls, in order.
+    pub calls: Vec<SeriesCall>,
+    /// Alarms and operator messages, each with the share of the runs in which it came.
+    pub alarms: Vec<SeriesAlarm>,
+}
+
+/// A measuring call over all runs.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SeriesCall {
+    /// Which call.
+    #[serde(flatten)]
+    pub call: OfCall,
+    /// What is measured, in words.
+    pub feature: Message,
+    /// What was measured, the most important first.
+    pub measured: Vec<SeriesFigure>,
+    /// What was corrected.
+    pub corrected: Vec<SeriesCorrection>,
+    /// What followed, with the share of the runs.
+    pub verdicts: Vec<SeriesShare>,
+    /// In production: what would have followed had no part been corrected.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub uncorrected: Vec<SeriesShare>,
+}
+
+/// Share of the runs in which something happened.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SeriesShare {
+    /// What.
+    pub verdict: Verdict,
+    /// In words.
+    pub words: Message,
+    /// In how many runs.
+    pub count: usize,
+    /// Share of all runs.
+    pub share: f64,
+    /// Standard error of this share.
+    pub error: f64,
+}
+
+/// Numbers and how they are spread.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct SeriesSpread {
+    /// How many.
+    pub count: usize,
+    /// Mean.
+    pub mean: f64,
+    /// Its standard error.
+    pub mean_error: f64,
+    /// Standard deviation.
+    pub deviation: f64,
+    /// Its standard error.
+    pub deviation_error: f64,
+    /// The smallest.
+    pub min: f64,
+    /// 2.5 % are smaller.
+    pub low: f64,
+    /// Half are smaller.
+    pub median: f64,
+    /// 2.5 % are larger.
+    pub high: f64,
+    /// The largest.
+    pub max: f64,
+}
+
+/// A quantity over all runs, in its unit.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SeriesFigure {
+    /// The result that has its actual value: `_OVR[4]`.
+    pub name: &'static str,
+    /// Meaning of the result.
+    pub label: Message,
+    /// Unit at the call.
+    pub unit: &'static str,
+    /// Its actual values.
+    #[serde(flatten)]
+    pub spread: SeriesSpread,
+    /// How many lie in each of 20 intervals from the smallest to the largest.
+    pub histogram: Vec<usize>,
+    /// Smallest and largest deviation that is permitted; absent: nothing limits it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub limits: Option<[f64; 2]>,
+    /// How well the values hold these limits.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub capability: Option<Capability>,
+    /// The actual value of each run, not a number where there is none. They are in the table only.
+    #[serde(skip)]
+    pub values: Vec<f64>,
+}
+
+/// A datum that was corrected.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SeriesCorrection {
+    /// Frame, tool or register.
+    pub target: Message,
+    /// Axis, length or radius: `X`, `L1`, `R`.
+    pub part: String,
+    /// Unit of the correction.
+    pub unit: &'static str,
+    /// By how much, in the runs in which it was corrected.
+    #[serde(flatten)]
+    pub spread: SeriesSpread,
+}
+
+/// An alarm over all runs.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SeriesAlarm {
+    /// The alarm, or why a run went no further.
+    #[serde(flatten)]
+    pub raised: Raised,
+    /// In how many runs it came.
+    pub count: usize,
+    /// Share of all runs.
+    pub share: f64,
+    /// Standard error of this share.
+    pub error: f64,
+}
+
+impl From<&Spread> for SeriesSpread {
+    fn from(spread: &Spread) -> SeriesSpread {
+        SeriesSpread {
+            count: spread.count(),
+            mean: spread.mean,
+            mean_error: spread.mean_error(),
+            deviation: spread.deviation,
+            deviation_error: spread.deviation_error,
+            min: spread.quantile(0.0),
+            low: spread.quantile(0.025),
+            median: spread.quantile(0.5),
+            high: spread.quantile(0.975),
+            max: spread.quantile(1.0),
+        }
+    }
+}
+
+/// Work in blocks after which a run is given up.
+const WORK: u64 = 100_000;
+
+/// Runs a program as often as the setup says. `prepare`: what each run is to have; `told`: hears how many are done.
+///
+/// A run that is given up ends the series: the others would take as long, and tell nothing.
+pub fn series(
+    program: &Rc<Program>,
+    setup: &Setup,
+    prepare: &dyn Fn(Session) -> Session,
+    told: &mut dyn FnMut(u32),
+) -> SeriesView {
+    let mut collected = Collected::default();
+    let mut done = 0;
+    each(program, setup, setup.series.mode, prepare, &mut |outcome| {
+        done += 1;
+        told(done);
+        collected.add(setup, outcome)
+    });
+    let mut view = collected.view(&setup.series);
+    if setup.series.mode == Mode::Production {
+        let mut without = Collected::default();
+        each(program, setup, Mode::Independent, prepare, &mut |outcome| without.add(setup, outcome));
+        for (call, other) in view.calls.iter_mut().zip(without.view(&setup.series).calls) {
+            call.uncorrected = other.verdicts;
+        }
+    }
+    view
+}
+
+/// Carries out all runs in order until one is not to be followed by another.
+fn each(
+    program: &Rc<Program>,
+    setup: &Setup,
+    mode: Mode,
+    prepare: &dyn Fn(Session) -> Session,
+    take: &mut dyn FnMut(&Outcome) -> bool,
+) {
+    let mut left: Option<Control> = None;
+    for run in 0..setup.series.runs {
+        let machine = draw::machine(setup, &setup.series, run, left.as_ref());
+        let limits = Limits { steps: Some(WORK), ..Limits::default() }.unrecorded();
+        let outcome = prepare(Session::new(Rc::clone(program), &machine, limits)).complete();
+        if !take(&outcome) {
+            return;
+        }
+        left = (mode == Mode::Production).then_some(outcome.control);
+    }
+}
+
+/// The runs as a table: a line for each, a column for each quantity. Decimal points, so that any program reads it.
+pub fn series_csv(view: &SeriesView) -> String {
+    let figures = || view.calls.iter().flat_map(|call| call.measured.iter().map(move |figure| (call, figure)));
+    let head = figures().map(|(call, figure)| {
+        let line = call.call.line.map_or(String::new(), |line| line.to_string());
+        format!(",\"{line} {} {} {}\"", call.call.cycle.unwrap_or_default(), figure.name, figure.unit)
+    });
+    let mut text = format!("run{}\n", head.collect::<String>());
+    let runs = figures().map(|(_, figure)| figure.values.len()).max().unwrap_or(0);
+    for run in 0..runs {
+        let value = |figure: &SeriesFigure| figure.values.get(run).copied().filter(|value| value.is_finite());
+        let cells = figures().map(|(_, figure)| value(figure).map_or(",".to_owned(), |value| format!(",{value}")));
+        text += &format!("{}{}\n", run + 1, cells.collect::<String>());
+    }
+    text
+}

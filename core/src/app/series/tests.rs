@@ -1,0 +1,151 @@
+//! Series of a hole on the machine of the manual's examples.
+#![allow(clippy::unwrap_used)]
+
+use super::*;
+use crate::control::Plane;
+use crate::dialect::Dialect;
+use crate::geometry::Mcs;
+use crate::machine::series::{Per, Series, Vary};
+use crate::syntax::read;
+use crate::workpiece::{Shape, Solid};
+use std::collections::BTreeMap;
+
+/// A hole of 50 mm at the zero point, measured with these tolerances; T20 D1 has cut it.
+fn hole(tolerances: &str, vary: Vec<Vary>, runs: u32, mode: Mode) -> (Rc<Program>, Setup) {
+    let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
+    setup.workpiece.solids.push(Solid::new(Shape::Hole { diameter: 50.0, depth: 30.0 }, Mcs([0.0; 3])));
+    setup.control.edge_made(20, 1).kind = 120;
+    setup.series = Series { runs, seed: 3, mode, vary };
+    let text = format!(
+        "G17 G54 G90 T9 D1 M6\nG0 X0 Y0\nZ-10\n_CHBIT[4]=1 _EVNUM=1\n_TUL=0.03 _TLL=-0.03 _TDIF=0.06 _TSA=1 _FA=2 \
+         {tolerances}\n_MVAR=1 _SETVAL=50 _TNUM=20 _KNUM=2001 _PRNUM=1\nCYCLE977\nM30\n"
+    );
+    (Rc::new(read(Dialect::Sinumerik, text.as_bytes())), setup)
+}
+
+fn size(sigma: f64, mean: f64) -> Vary {
+    Vary {
+        what: "workpiece[0].errors.size".into(),
+        shape: crate::machine::series::Shape::Normal,
+        sigma,
+        half: 0.0,
+        mean,
+        drift: 0.0,
+        per: Per::Part,
+        follows: BTreeMap::new(),
+    }
+}
+
+fn ran((program, setup): &(Rc<Program>, Setup)) -> SeriesView {
+    series(program, setup, &|session| session, &mut |_| {})
+}
+
+fn figures(group: &str, part: &str) -> serde_json::Value {
+    let all: serde_json::Value = serde_json::from_str(include_str!("../../../../tests/data/uncertainty.json")).unwrap();
+    all[group][part].clone()
+}
+
+const WIDE: &str = "_TMV=0.02 _TZL=0.01 _K=1";
+
+// oracle: peer: tests/data/uncertainty.json: a width of two touches is uncertain by σ·√(2/n)
+#[test]
+fn a_diameter_spreads_as_its_touches_do() {
+    let given = figures("two_walls", "given");
+    let mut hole = hole(WIDE, Vec::new(), 800, Mode::Independent);
+    hole.1.probe.repeatability.0 = given["sigma"].as_f64().unwrap();
+    let view = ran(&hole);
+    let spread = view.calls[0].measured[0].spread;
+    let single = figures("two_walls", "expect")["u_width"].as_f64().unwrap() * given["n"].as_f64().unwrap().sqrt();
+    assert!((spread.deviation - single).abs() < 4.0 * spread.deviation_error, "{spread:?} {single}");
+    assert_eq!((view.finished, spread.count), (800, 800));
+    assert_eq!(ran(&hole), view, "the same seed gives the same results");
+}
+
+// oracle: hand
+#[test]
+fn nothing_varies_nothing_spreads() {
+    let view = ran(&hole(WIDE, vec![size(0.0, 0.004)], 20, Mode::Independent));
+    let spread = view.calls[0].measured[0].spread;
+    assert_eq!((spread.deviation, spread.min), (0.0, spread.max));
+    assert!((spread.mean - 50.004).abs() < 1e-9, "{spread:?}");
+}
+
+// oracle: definition: what is common to all parts moves the mean, and does not spread
+#[test]
+fn what_is_drawn_once_does_not_spread() {
+    let view = ran(&hole(WIDE, vec![Vary { per: Per::Series, ..size(0.008, 0.0) }], 20, Mode::Independent));
+    let spread = view.calls[0].measured[0].spread;
+    assert_eq!(spread.deviation, 0.0);
+    assert!((spread.mean - 50.0).abs() > 1e-4, "{spread:?}");
+}
+
+// oracle: peer: tests/data/uncertainty.json: chances of each branch for a first part, `_K` = 1
+#[test]
+fn verdicts_come_as_often_as_calculated() {
+    let (given, expect) = (figures("branches_K1", "given"), figures("branches_K1", "expect"));
+    let number = |name: &str| given[name].as_f64().unwrap();
+    let mut hole = hole(WIDE, vec![size(number("s_process"), number("mu"))], 1500, Mode::Independent);
+    hole.1.probe.repeatability.0 = number("u") / 2.0f64.sqrt();
+    let call = ran(&hole).calls.remove(0);
+    for (verdict, name) in [(Verdict::Scrap, "oversize"), (Verdict::Rework, "undersize")] {
+        let found = call.verdicts.iter().find(|one| one.verdict == verdict).map_or(0.0, |one| one.share);
+        let share = expect[name].as_f64().unwrap();
+        let error = crate::series::spread::share_error(share, 1500);
+        assert!((found - share).abs() < 4.0 * error, "{name}: {found} instead of {share} ± {error}");
+    }
+    let corrected = call.corrected.iter().map(|one| one.spread.count).max().unwrap() as f64 / 1500.0;
+    let share = ["whole", "mean_applied"].iter().map(|name| expect[name].as_f64().unwrap()).sum::<f64>();
+    let error = crate::series::spread::share_error(share, 1500);
+    assert!((corrected - share).abs() < 4.0 * error, "{corrected} instead of {share} ± {error}");
+}
+
+// oracle: peer: tests/data/uncertainty.json: a stable process that is corrected whole after each part scatters more
+#[test]
+fn a_correction_after_each_part_makes_them_worse() {
+    let (given, expect) = (figures("over_correction", "given"), figures("over_correction", "expect"));
+    let number = |name: &str| given[name].as_f64().unwrap();
+    let follows = BTreeMap::from([("$TC_DP15[20,1]".to_owned(), -2.0)]);
+    let varied = Vary { follows, ..size(number("s_process"), 0.0) };
+    let tolerances = "_TUL=0.3 _TLL=-0.3 _TDIF=0.6 _TMV=0.000001 _TZL=0 _K=1";
+    let mut hole = hole(tolerances, vec![varied], 700, Mode::Production);
+    hole.1.probe.repeatability.0 = number("u") / 2.0f64.sqrt();
+    let view = ran(&hole);
+    let spread = view.calls[0].measured[0].spread;
+    // what is measured scatters by the parts and by the measurement
+    let parts = (spread.deviation.powi(2) - number("u").powi(2)).sqrt();
+    let wanted = expect["each_part_whole"].as_f64().unwrap();
+    assert!((parts - wanted).abs() < 5.0 * spread.deviation_error, "{parts} {wanted} {spread:?}");
+    assert!(!view.calls[0].uncorrected.is_empty());
+}
+
+// oracle: hand: a part that grows by 0.002 mm each leaves the tolerance of 0.03 mm after 15 without a correction only
+#[test]
+fn wear_is_held_by_the_correction() {
+    let follows = BTreeMap::from([("$TC_DP15[20,1]".to_owned(), -2.0)]);
+    let varied = Vary { follows, drift: 0.002, ..size(0.0, 0.0) };
+    let view = ran(&hole("_TMV=0.02 _TZL=0.003 _K=1", vec![varied], 60, Mode::Production));
+    let call = &view.calls[0];
+    let within = |shares: &[SeriesShare]| {
+        shares.iter().filter(|one| one.verdict == Verdict::Within).map(|one| one.count).sum::<usize>()
+    };
+    assert_eq!((within(&call.verdicts), within(&call.uncorrected)), (60, 16), "{:?}", call.verdicts);
+}
+
+// oracle: hand
+#[test]
+fn a_program_without_end_is_run_once() {
+    let (_, setup) = hole(WIDE, Vec::new(), 1000, Mode::Independent);
+    let program = Rc::new(read(Dialect::Sinumerik, b"N1 R1=R1+1\nGOTOB N1\nM30\n"));
+    let view = series(&program, &setup, &|session| session, &mut |_| {});
+    assert!(view.runs <= 2 && view.finished == 0 && view.alarms.len() == 1, "{view:?}");
+}
+
+// oracle: hand
+#[test]
+fn the_table_has_a_line_for_each_run() {
+    let table = series_csv(&ran(&hole(WIDE, vec![size(0.0, 0.004)], 3, Mode::Independent)));
+    let lines: Vec<&str> = table.lines().collect();
+    assert_eq!(lines.len(), 4);
+    assert!(lines[0].starts_with("run,\"7 CYCLE977 _OVR[4] mm\""), "{}", lines[0]);
+    assert!(lines[3].starts_with("3,50.00"), "{}", lines[3]);
+}

@@ -1,0 +1,82 @@
+// The check of a machine by what its control exported: pasted, opened and dropped, told, saved, printed.
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { after, before, describe, test } from "node:test";
+import { open, packages, shared } from "./browser.mjs";
+import { openPageMenu } from "./start.mjs";
+
+const axe = packages.resolve("axe-core/axe.min.js");
+
+const EXPORT = "CHANDATA(1)\nN18170 $MN_MM_NUM_MAX_FUNC_NAMES=40\nN28082 $MC_MM_SYSTEM_FRAME_MASK='H1'\n_CHBIT[24]=1\n";
+
+/** The dialog, from that of the machine data. */
+async function dialog(page) {
+  await openPageMenu(page);
+  const data = page.locator("#page-actions button:not([disabled])", { hasText: /^Machine data$/ });
+  await data.waitFor();
+  await data.click();
+  await page.getByRole("dialog", { name: "Machine data" }).getByRole("button", { name: "Check a machine" }).click();
+  return page.getByRole("dialog", { name: "Check a machine" });
+}
+
+describe("the check of a machine", () => {
+  const chrome = shared("neither", { before, after });
+
+  // oracle: manual A:14245, B:16186 (70 and 80), B:12976-12983, A:15840 (bit 5)
+  test("what is pasted is told with limits and alarm, and mended by the lines that are saved", async () => {
+    const { context, page, problems } = await open(chrome.browser, { bypassCSP: true });
+    const shown = await dialog(page);
+    await shown.getByLabel("Export of the control").fill(EXPORT);
+    const errors = shown.locator(".exported-group.error li.exported-fault");
+    await errors.nth(1).waitFor();
+    const frame = await errors.filter({ hasText: "MD28082" }).textContent();
+    assert.match(frame, /MM_SYSTEM_FRAME_MASK · Channel 1 · .*line 3/);
+    assert.match(frame, /Alarm 61016: The system frame for cycles is missing/);
+    const names = await errors.filter({ hasText: "MD18170" }).textContent();
+    assert.match(names, /Required: 70 · .*Recommended: 80 · .*2004/s);
+    const download = page.waitForEvent("download");
+    await shown.getByRole("button", { name: "Save lines to change" }).click();
+    const lines = await readFile(await (await download).path(), "utf8");
+    assert.match(lines, /^N18170 \$MN_MM_NUM_MAX_FUNC_NAMES=80\nCHANDATA\(1\)\nN28082 .*='H21'\n$/);
+    await shown.getByLabel("Export of the control").fill(lines);
+    await shown.getByText("Nothing is missing in the data that were compared.").waitFor();
+    await page.addScriptTag({ path: axe });
+    const wrong = await page.evaluate(() => window.axe.run(".exported").then(({ violations }) => violations));
+    assert.deepEqual(
+      wrong.map(({ id }) => id),
+      [],
+    );
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
+  // oracle: hand
+  test("files are opened or dropped, JOG is left out, paper has the list, a text without data is refused", async () => {
+    const { context, page, problems } = await open(chrome.browser);
+    const shown = await dialog(page);
+    const jog = Buffer.from("MD11602=0\nMD20110=0\n");
+    await shown.locator('input[type="file"]').setInputFiles({ name: "JOG.TEA", mimeType: "text/plain", buffer: jog });
+    await shown.getByText("JOG.TEA, line 2").waitFor();
+    await page.evaluate(() => {
+      window.print = () => {}; // the sheet stays until it is printed
+    });
+    await shown.getByRole("button", { name: "Print" }).click();
+    assert.equal(await page.locator(".paper .exported-fault").count(), 2);
+    await page.evaluate(() => dispatchEvent(new Event("afterprint")));
+    assert.equal(await page.locator(".paper").count(), 0);
+    await shown.getByLabel("Measuring in JOG").uncheck();
+    await shown.getByText("Nothing is missing in the data that were compared.").waitFor();
+    const data = await page.evaluateHandle(() => {
+      const data = new DataTransfer();
+      data.items.add(new File(["hello"], "note.txt"));
+      return data;
+    });
+    await shown.dispatchEvent("drop", { dataTransfer: data });
+    await shown.getByRole("alert").filter({ hasText: "Nothing in this text" }).waitFor();
+    assert.equal(await shown.locator(".exported-fault").count(), 0);
+    await page.keyboard.press("Escape");
+    await shown.waitFor({ state: "detached" });
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+});

@@ -1,0 +1,188 @@
+// The check of a machine: what its control exported is pasted, dropped, opened or typed; the list of what is wrong is
+// printed, and the lines to change are saved. Nothing of it is kept.
+
+import { html, nothing, render, type TemplateResult } from "lit-html";
+import type { ProgramCore } from "../core/program";
+import { el, on } from "../dom";
+import { saveFile } from "../state/files";
+import { say, sayProblem, t } from "../texts";
+import type { ExportedFile, MachineCheckView, MachineFault, Severity, Use } from "../wire";
+import { textOf } from "./protocol";
+
+const SEVERITIES: Severity[] = ["error", "warning", "note"];
+const USES = ["jog", "log", "tool-probe"] as const satisfies Use[];
+const SHOWN = 300; // of each severity
+const LARGEST = 50 * 2 ** 20; // bytes
+const PAUSE = 200; // ms, while one types
+
+/** The alarm by its number and meaning. */
+function alarmText({ alarm }: MachineFault): string {
+  return alarm ? t("exported-alarm", { number: alarm.key.replace("alarm-", ""), text: say(alarm) }) : "";
+}
+
+function about(fault: MachineFault): string {
+  const { channel, place, identifier } = fault;
+  return [
+    identifier,
+    channel === undefined ? "" : t("exported-channel", { channel }),
+    place ? t("exported-place", { ...place }) : "",
+  ]
+    .filter(Boolean)
+    .join(" · ");
+}
+
+function faultOf(fault: MachineFault): TemplateResult {
+  const alarm = alarmText(fault);
+  const value = fault.delivered.join(" / ");
+  const limits = fault.limits.map(
+    ({ severity, value, source }) =>
+      html`<li>${t(`exported-limit-${severity}`, { value })} · ${t("field-source", { source })}</li>`,
+  );
+  return html`<li class="exported-fault">
+    <p><code>${fault.name}</code> <span class="meta">${about(fault)}</span></p>
+    <p>${say(fault.message)} ${fault.effect ? say(fault.effect) : ""}</p>
+    ${alarm ? html`<p>${alarm}</p>` : nothing}
+    <ul class="exported-facts">
+      ${limits.length ? limits : fault.source ? html`<li>${t("field-source", { source: fault.source })}</li>` : nothing}
+      ${value ? html`<li>${t("exported-default", { value })}</li>` : nothing}
+    </ul>
+    ${fault.change ? html`<pre>${fault.change}</pre>` : nothing}
+  </li>`;
+}
+
+/** All that is wrong, the worst first. */
+function listOf({ faults, missing, ending }: MachineCheckView): TemplateResult {
+  const group = (severity: Severity): TemplateResult | typeof nothing => {
+    const of = faults.filter(fault => fault.severity === severity);
+    if (!of.length) return nothing;
+    const more = of.length - SHOWN;
+    return html`<section class=${`exported-group ${severity}`}>
+      <h3>${t(`exported-${severity}`, { count: of.length })}</h3>
+      <ul>${of.slice(0, SHOWN).map(faultOf)}</ul>
+      ${more > 0 ? html`<p>${t("exported-more", { count: more })}</p>` : nothing}
+    </section>`;
+  };
+  return html`<p class="exported-ending">${say(ending)}</p>
+    ${faults.length ? nothing : html`<p>${t("exported-clean")}</p>`}
+    ${SEVERITIES.map(group)}
+    ${
+      missing.length
+        ? html`<section class="exported-group missing">
+            <h3>${t("exported-missing", { count: missing.length })}</h3>
+            <p>${missing.map(name => html`<code>${name}</code> `)}</p>
+          </section>`
+        : nothing
+    }`;
+}
+
+/** Prints the list; the page has one way for paper (`paper.ts`), which clears it when it is printed. */
+function printList(view: MachineCheckView): void {
+  const list = el("div");
+  render(listOf(view), list);
+  document.body.append(el("div", { class: "paper exported-paper" }, el("h2", {}, t("exported-title")), list));
+  document.documentElement.dataset.paper = "exported";
+  print();
+}
+
+/** A box that is checked where the machine has it. */
+function box(id: string, checked: boolean, text: string): { input: HTMLInputElement; label: HTMLElement } {
+  const input = el("input", { type: "checkbox", id, checked });
+  return { input, label: el("label", { class: "check", for: id }, input, text) };
+}
+
+/** Opens the dialog; it goes when it is closed. */
+export function openMachineCheck(core: () => ProgramCore | null, end: AbortSignal): void {
+  const picker = el("input", {
+    type: "file",
+    multiple: true,
+    hidden: true,
+    tabindex: "-1",
+    "aria-label": t("exported-open"),
+  });
+  const text = el("textarea", {
+    id: "exported-text",
+    rows: 8,
+    spellcheck: "false",
+    "aria-describedby": "exported-intro",
+  });
+  const uses = USES.map(use => ({ use, ...box(`exported-${use}`, true, t(`exported-${use}`)) }));
+  const large = box("exported-large", false, t("exported-large"));
+  const names = el("p", { class: "exported-files" });
+  const problem = el("p", { class: "exported-problem", role: "alert" });
+  const list = el("div", { class: "exported-list", "aria-live": "polite" });
+  const opening = el("button", { type: "button" }, t("exported-open"));
+  const saving = el("button", { type: "button", disabled: true }, t("exported-save"));
+  const printing = el("button", { type: "button", disabled: true }, t("exported-print"));
+  const closing = el("button", { type: "button", class: "primary" }, t("exported-close"));
+  const dialog = el(
+    "dialog",
+    { class: "exported", "aria-labelledby": "exported-title", "data-takes-files": true },
+    el("header", {}, el("h2", { id: "exported-title" }, t("exported-title"))),
+    el(
+      "div",
+      { class: "exported-body scroll", tabindex: "0", role: "region", "aria-labelledby": "exported-title" },
+      el("p", { id: "exported-intro" }, t("exported-intro")),
+      el("label", { for: "exported-text" }, t("exported-text")),
+      text,
+      names,
+      el(
+        "fieldset",
+        { class: "exported-uses" },
+        el("legend", {}, t("exported-has")),
+        ...uses.map(({ label }) => label),
+        large.label,
+      ),
+      problem,
+      list,
+    ),
+    el("div", { class: "actions" }, opening, saving, printing, closing),
+    picker,
+  );
+  let files: ExportedFile[] = [];
+  let view: MachineCheckView | null = null;
+  let waiting = 0;
+
+  const check = (): void => {
+    const typed = text.value.trim() ? [{ name: t("exported-text"), text: text.value }] : [];
+    const asked = { files: [...files, ...typed], without: uses.filter(one => !one.input.checked).map(one => one.use) };
+    [view, problem.textContent] = [null, ""];
+    const answer = asked.files.length ? core()?.machineCheck({ ...asked, large: large.input.checked }) : null;
+    if (answer && "why" in answer) problem.textContent = sayProblem(answer.why);
+    else view = answer ?? null;
+    names.textContent = files.map(({ name }) => name).join(" · ");
+    saving.disabled = !view?.changes;
+    printing.disabled = !view;
+    render(view ? listOf(view) : nothing, list);
+  };
+  const take = async (chosen: readonly File[]): Promise<void> => {
+    const size = chosen.reduce((sum, file) => sum + file.size, 0);
+    if (size > LARGEST) {
+      problem.textContent = t("exported-too-large", { most: LARGEST / 2 ** 20 });
+      return;
+    }
+    files = await Promise.all(chosen.map(async file => ({ name: file.name, text: await textOf(file) })));
+    check();
+  };
+  on(text, "input", () => {
+    clearTimeout(waiting);
+    waiting = window.setTimeout(check, PAUSE);
+  });
+  for (const { input } of [...uses, large]) on(input, "change", check);
+  on(opening, "click", () => picker.click());
+  on(picker, "change", () => void take([...(picker.files ?? [])]));
+  on(dialog, "drop", event => {
+    event.preventDefault();
+    void take([...((event as DragEvent).dataTransfer?.files ?? [])]);
+  });
+  on(saving, "click", () => saveFile(view?.changes ?? "", "changes.tea"));
+  on(printing, "click", () => view && printList(view));
+  on(closing, "click", () => dialog.close());
+  on(dialog, "close", () => {
+    clearTimeout(waiting);
+    dialog.remove();
+  });
+  end.addEventListener("abort", () => dialog.remove());
+  document.body.append(dialog);
+  dialog.showModal();
+  text.focus();
+}
