@@ -311,6 +311,7 @@ outcome-alarms = Alarme
 outcome-results = Ergebnisse
 outcome-changes = Korrekturen und Kalibrierdaten
 outcome-decisions = Auswertung
+outcome-screens = Messergebnisbilder ({ $count })
 outcome-no-changes = Keine Korrektur.
 outcome-not-simulated = Diese Version simuliert { $cycle } nicht. Maske, Prüfung und Programmtext sind verfügbar.
 outcome-running = Die Ergebnisse des ganzen Programms erscheinen hier, wenn der Lauf beendet ist.

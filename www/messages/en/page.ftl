@@ -311,6 +311,7 @@ outcome-alarms = Alarms
 outcome-results = Results
 outcome-changes = Offsets and calibration data
 outcome-decisions = Evaluation
+outcome-screens = Measuring result screens ({ $count })
 outcome-no-changes = No correction.
 outcome-not-simulated = This version does not simulate { $cycle }. Form, checks and program text are available.
 outcome-running = Results of the whole program appear here when the run has finished.

@@ -307,6 +307,7 @@ outcome-alarms = 报警
 outcome-results = 结果
 outcome-changes = 补偿值与校准数据
 outcome-decisions = 判定
+outcome-screens = 测量结果画面（{ $count }）
 outcome-no-changes = 不作任何补偿。
 outcome-not-simulated = 本版本不模拟 { $cycle }。表单、检查和程序文本可以使用。
 outcome-running = 运行结束后，整个程序的结果显示在这里。

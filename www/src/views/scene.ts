@@ -40,21 +40,21 @@ export function createScene(
   const empty = el("p", { class: "empty over-stage", role: "status", hidden: true });
   const legend = createLegend();
   const errors = createExaggeration(store);
-  const screen = createScreen(store);
   const corner = el("div", { class: "stage-corner" });
   const section = tool("cut", t("view-section"), () => store.update({ view: { section: !store.state.view.section } }));
   const central = tool("perspective", t("view-central"), () =>
     store.update({ view: { central: !store.state.view.central } }),
   );
   const timeline = el("div", { class: "timeline", role: "group", "aria-label": t("timeline-scrub") });
+  const screen = createScreen(store, () => timeline.querySelector("input")?.focus());
   const holder = el(
     "div",
     { class: "stage-box" },
     stage.box,
+    screen.root,
     el("div", { class: "stage-cards" }, errors.root, legend.root),
     corner,
     empty,
-    screen.root,
   );
   root.append(
     el("header", { class: "panel-head" }, el("h2", {}, t("view-title")), segments, tools),
@@ -96,7 +96,7 @@ export function createScene(
       central,
     );
     preview.onDraw(cube.draw);
-    watchTaken(stage.box, [legend.root, errors.root, corner], preview);
+    watchTaken(stage.box, [legend.root, errors.root, corner, screen.root], preview);
     watchCovered(legend.root, preview.setCovered);
     tools.append(drawing);
     show(note, false);
