@@ -73,6 +73,7 @@ machine-data-assignments = Als Programm kopieren
 machine-data-definitions = Als Definitionen kopieren
 machine-data-reset = Alles auf Vorbesetzung
 machine-data-close = Fertig
+machine-data-idle = In der Simulation ohne Wirkung.
 
 link-copy = Link kopieren
 theme-system = Farben: System

@@ -73,6 +73,7 @@ machine-data-assignments = Copy as program
 machine-data-definitions = Copy as definitions
 machine-data-reset = Reset to defaults
 machine-data-close = Done
+machine-data-idle = No effect in the simulation.
 
 link-copy = Copy link
 theme-system = Theme: system

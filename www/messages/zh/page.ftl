@@ -73,6 +73,7 @@ machine-data-assignments = 复制为程序
 machine-data-definitions = 复制为定义
 machine-data-reset = 全部恢复默认值
 machine-data-close = 完成
+machine-data-idle = 在模拟中不起作用。
 
 link-copy = 复制链接
 theme-system = 外观：随系统

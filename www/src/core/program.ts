@@ -7,6 +7,8 @@ import type { Splice } from "../eol";
 import type {
   AlarmInfo,
   AroundView,
+  BrakingRequest,
+  BrakingView,
   Catalogue,
   Changed,
   Converted,
@@ -103,6 +105,8 @@ export interface ProgramCore extends FormCore {
   alarms(): AlarmInfo[];
   help(request: HelpRequest): HelpView;
   machine(request: MachineRequest): MachineView;
+  /** `why`: there is no such axis. */
+  braking(request: BrakingRequest): BrakingView | { why: string };
   /** `why`: nothing of it can be checked. */
   machineCheck(request: MachineCheckRequest): MachineCheckView | { why: string };
   equip(request: EquipRequest): EquipView;
@@ -262,6 +266,14 @@ function setupOf(text: string): Setup | { why: string } {
   }
 }
 
+function braking(request: BrakingRequest): BrakingView | { why: string } {
+  try {
+    return JSON.parse(wasm.braking(JSON.stringify(request))) as BrakingView;
+  } catch (problem) {
+    return { why: problem instanceof Error ? problem.message : String(problem) };
+  }
+}
+
 function machineCheck(request: MachineCheckRequest): MachineCheckView | { why: string } {
   try {
     return JSON.parse(wasm.machine_check(JSON.stringify(request))) as MachineCheckView;
@@ -299,6 +311,7 @@ export async function loadProgramCore(): Promise<ProgramCore> {
     help: request => JSON.parse(call("help", () => wasm.help(JSON.stringify(request)))) as HelpView,
     equip: request => JSON.parse(call("equip", () => wasm.equip(JSON.stringify(request)))) as EquipView,
     story: request => JSON.parse(call("story", () => wasm.story(JSON.stringify(request)))) as Story,
+    braking,
     machineCheck,
     machine: request => JSON.parse(call("machine", () => wasm.machine(JSON.stringify(request)))) as MachineView,
     catalogue: () => JSON.parse(call("catalogue", () => wasm.catalogue())) as Catalogue,

@@ -37,6 +37,7 @@ function entry(block: string, field: AroundField, hands: Hands) {
   const preset = field.text ? t(field.preset) : field.preset;
   if (field.choices.length === 0)
     return html`<input
+      type="text"
       id=${id(block, field.name)}
       autocomplete="off"
       spellcheck="false"
