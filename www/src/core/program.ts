@@ -6,6 +6,7 @@ import address from "@pkg/core/core_bg.wasm?url";
 import type { Splice } from "../eol";
 import type {
   AlarmInfo,
+  AroundView,
   BrakingRequest,
   BrakingView,
   Catalogue,
@@ -300,6 +301,7 @@ export async function loadProgramCore(): Promise<ProgramCore> {
       JSON.parse(call("as_program", () => wasm.as_program(JSON.stringify(request)))) as PracticeProgram,
     asMask: request => JSON.parse(call("as_mask", () => wasm.as_mask(JSON.stringify(request)))) as PracticeCall | null,
     setup: setupOf,
+    around: request => JSON.parse(call("around", () => wasm.around(JSON.stringify(request)))) as AroundView,
     change: request => changes(request, null),
     recogniser,
     form: formed,
