@@ -216,7 +216,8 @@ fn each_row_is_missed_and_mended_alone() {
         let view = check(&text);
         let key = format!("machine-need-{}", need.effect);
         let fault = view.faults.iter().find(|fault| fault.effect.as_ref().is_some_and(|effect| effect.key == key));
-        let fault = fault.unwrap_or_else(|| panic!("{} {}", need.number, need.effect));
+        assert!(fault.is_some(), "{} {}", need.number, need.effect);
+        let fault = fault.unwrap();
         assert_eq!(crate::control::arrays::stem(&fault.name), need.number);
         assert_eq!(fault.change.is_empty(), !need.changed, "{}", need.number);
         assert_eq!(fault.alarm.is_some(), need.alarm > 0);
