@@ -34,8 +34,8 @@ pub struct Block {
     pub after: &'static [Line],
 }
 
-/// A line. In braces stand the names of fields, free names of the program ([`pattern::Free`]) and what the call itself
-/// gives ([`pattern::given`]).
+/// A line. In braces stand the names of fields, free names of the program (`pattern::Free`) and what the call itself
+/// gives (`pattern::given`).
 pub struct Line {
     /// Text of the program.
     pub code: &'static str,
