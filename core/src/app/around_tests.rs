@@ -345,3 +345,14 @@ fn names_are_free_and_values_right() {
         assert_eq!(view.edits, [], "{name}={value}");
     }
 }
+
+// oracle: self
+#[test]
+fn search_words_belong_to_blocks() {
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/messages/en/around.ftl");
+    let text = std::fs::read_to_string(file).unwrap();
+    let keys = text.lines().filter_map(|line| line.split_once(" = ")?.0.strip_suffix("-words"));
+    let known = super::catalogue().around;
+    let known: BTreeSet<String> = known.into_iter().map(|block| block.key).collect();
+    assert_eq!(keys.map(str::to_owned).collect::<BTreeSet<_>>(), known);
+}
