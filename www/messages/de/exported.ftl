@@ -1,6 +1,5 @@
 # Prüfung einer Maschine anhand dessen, was ihre Steuerung ausgegeben hat.
 
-exported-title = Maschine prüfen
 exported-intro = Einfügen oder hierher ziehen, was die Steuerung ausgibt: Maschinendaten (.TEA, INITIAL.INI), Definitionsdateien, den Text einer Serieninbetriebnahme. Oder Zeilen wie MD 18120 = 30 eingeben. Nichts verlässt diesen Browser.
 exported-text = Ausgabe der Steuerung
 exported-open = Dateien öffnen

@@ -71,6 +71,7 @@ machine-data-nothing = Für diese Steuerung sind keine Maschinendaten einzustell
 machine-data-delivered = { $value } (Vorbesetzung)
 machine-data-assignments = Als Programm kopieren
 machine-data-definitions = Als Definitionen kopieren
+exported-title = Maschine prüfen
 machine-data-reset = Alles auf Vorbesetzung
 machine-data-close = Fertig
 machine-data-idle = In der Simulation ohne Wirkung.

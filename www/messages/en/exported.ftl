@@ -1,6 +1,5 @@
 # The check of a machine by what its control exported.
 
-exported-title = Check a machine
 exported-intro = Paste or drop what the control exports: machine data (.TEA, INITIAL.INI), definition files, the text of a series archive. Or type lines such as MD 18120 = 30. Nothing leaves this browser.
 exported-text = Export of the control
 exported-open = Open files

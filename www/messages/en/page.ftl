@@ -71,6 +71,7 @@ machine-data-nothing = This control has no machine data to set.
 machine-data-delivered = { $value } (default)
 machine-data-assignments = Copy as program
 machine-data-definitions = Copy as definitions
+exported-title = Check a machine
 machine-data-reset = Reset to defaults
 machine-data-close = Done
 machine-data-idle = No effect in the simulation.

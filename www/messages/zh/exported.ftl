@@ -1,6 +1,5 @@
 # 根据控制系统导出的内容检查机床。
 
-exported-title = 检查机床
 exported-intro = 请粘贴或拖入控制系统导出的内容：机床数据（.TEA、INITIAL.INI）、定义文件、批量调试存档的文本；或输入如 MD 18120 = 30 的各行。任何内容都不会离开此浏览器。
 exported-text = 控制系统的导出内容
 exported-open = 打开文件
