@@ -53,22 +53,12 @@ pub struct BrakingPath {
 /// There is no such axis: which value is at fault.
 pub fn braking(asked: BrakingRequest) -> Result<BrakingView, Error> {
     let BrakingRequest { delay, acceleration, gain, feed, deflection } = asked;
-    let refused =
-        |name: &'static str, value: f64| Error::new("braking-value", Path::of(&[name])).number("value", value);
-    let positive = |value: f64| value.is_finite() && value > 0.0;
-    let not_negative = |value: f64| value.is_finite() && value >= 0.0;
-    for (name, value, fits) in [
-        ("delay", delay, not_negative(delay)),
-        ("acceleration", acceleration, positive(acceleration)),
-        ("gain", gain, positive(gain)),
-        ("feed", feed.unwrap_or(0.0), not_negative(feed.unwrap_or(0.0))),
-        ("deflection", deflection.unwrap_or(0.0), not_negative(deflection.unwrap_or(0.0))),
-    ] {
-        if !fits {
-            return Err(refused(name, value).text("name", name));
-        }
-    }
     let axis = Braking { delay, acceleration, gain };
+    let given = [("feed", feed), ("deflection", deflection)].map(|(name, value)| (name, value.unwrap_or(0.0)));
+    let negative = given.into_iter().find(|(_, value)| !(value.is_finite() && *value >= 0.0));
+    if let Some((name, value)) = axis.impossible().or(negative) {
+        return Err(Error::new("braking-value", Path::of(&[name])).number("value", value).text("name", name));
+    }
     let path = feed.map(|feed| axis.parts(feed)).map(|parts| BrakingPath {
         delay: parts.delay,
         braking: parts.braking,

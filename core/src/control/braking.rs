@@ -36,10 +36,16 @@ impl Parts {
 }
 
 impl Braking {
-    /// Whether there is an axis with these values.
-    pub fn possible(&self) -> bool {
+    /// The first value that no axis has, with its name; none: there is such an axis.
+    pub fn impossible(&self) -> Option<(&'static str, f64)> {
+        let Braking { delay, acceleration, gain } = *self;
         let positive = |value: f64| value.is_finite() && value > 0.0;
-        self.delay.is_finite() && self.delay >= 0.0 && positive(self.acceleration) && positive(self.gain)
+        let values = [
+            ("delay", delay, delay.is_finite() && delay >= 0.0),
+            ("acceleration", acceleration, positive(acceleration)),
+            ("gain", gain, positive(gain)),
+        ];
+        values.into_iter().find(|(_, _, fits)| !fits).map(|(name, value, _)| (name, value))
     }
 
     /// The braking path at a feed in mm/min.

@@ -258,25 +258,10 @@ export async function runInPieces(
   return { json, scene, ...(steps && { steps: takeSteps(steps) }) };
 }
 
-function setupOf(text: string): Setup | { why: string } {
+/** The answer, or why there is none: the text of the user may be anything. */
+function orWhy<T>(ask: () => string): T | { why: string } {
   try {
-    return JSON.parse(wasm.setup(text)) as Setup;
-  } catch (problem) {
-    return { why: problem instanceof Error ? problem.message : String(problem) };
-  }
-}
-
-function braking(request: BrakingRequest): BrakingView | { why: string } {
-  try {
-    return JSON.parse(wasm.braking(JSON.stringify(request))) as BrakingView;
-  } catch (problem) {
-    return { why: problem instanceof Error ? problem.message : String(problem) };
-  }
-}
-
-function machineCheck(request: MachineCheckRequest): MachineCheckView | { why: string } {
-  try {
-    return JSON.parse(wasm.machine_check(JSON.stringify(request))) as MachineCheckView;
+    return JSON.parse(ask()) as T;
   } catch (problem) {
     return { why: problem instanceof Error ? problem.message : String(problem) };
   }
@@ -300,7 +285,7 @@ export async function loadProgramCore(): Promise<ProgramCore> {
     asProgram: request =>
       JSON.parse(call("as_program", () => wasm.as_program(JSON.stringify(request)))) as PracticeProgram,
     asMask: request => JSON.parse(call("as_mask", () => wasm.as_mask(JSON.stringify(request)))) as PracticeCall | null,
-    setup: setupOf,
+    setup: text => orWhy<Setup>(() => wasm.setup(text)),
     around: request => JSON.parse(call("around", () => wasm.around(JSON.stringify(request)))) as AroundView,
     change: request => changes(request, null),
     recogniser,
@@ -311,8 +296,8 @@ export async function loadProgramCore(): Promise<ProgramCore> {
     help: request => JSON.parse(call("help", () => wasm.help(JSON.stringify(request)))) as HelpView,
     equip: request => JSON.parse(call("equip", () => wasm.equip(JSON.stringify(request)))) as EquipView,
     story: request => JSON.parse(call("story", () => wasm.story(JSON.stringify(request)))) as Story,
-    braking,
-    machineCheck,
+    braking: request => orWhy<BrakingView>(() => wasm.braking(JSON.stringify(request))),
+    machineCheck: request => orWhy<MachineCheckView>(() => wasm.machine_check(JSON.stringify(request))),
     machine: request => JSON.parse(call("machine", () => wasm.machine(JSON.stringify(request)))) as MachineView,
     catalogue: () => JSON.parse(call("catalogue", () => wasm.catalogue())) as Catalogue,
     alarms: () => JSON.parse(call("alarms", () => wasm.alarms())) as AlarmInfo[],

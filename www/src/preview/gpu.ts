@@ -63,15 +63,14 @@ interface Doing {
 }
 
 function backend(name: GpuName, canvas: HTMLCanvasElement, device: Device, doing: Doing, remote: boolean): Backend {
-  let scene: Scene | null = null;
+  let scene: Scene | null = null; // that the device has
   let cloud: Cloud | null = null;
   let full = true; // what the device has is for all effects
   let path: Path | null = null; // that the device has
-  let solids: Pick<Scene, "mesh" | "origin"> | null = null; // the same
   const hand = (next: Scene, ratio: number, all: boolean): void => {
     full = all;
-    const known = solids?.mesh === next.mesh && length(sub(solids.origin, next.origin)) === 0;
-    solids = next;
+    const known = scene?.mesh === next.mesh && length(sub(scene.origin, next.origin)) === 0;
+    scene = next;
     device.setScene(handed(next, ratio, { full, known }));
   };
   return {
@@ -81,7 +80,6 @@ function backend(name: GpuName, canvas: HTMLCanvasElement, device: Device, doing
       return doing.under > 0;
     },
     setScene(next, ratio) {
-      scene = next;
       hand(next, ratio, doing.all);
       if (next.data.path !== path) device.setPath(next.data.path);
       path = next.data.path;

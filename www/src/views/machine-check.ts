@@ -1,6 +1,7 @@
 // The check of a machine: what its control exported is pasted, dropped, opened or typed; the list of what is wrong is
 // printed, and the lines to change are saved. Nothing of it is kept.
 
+import "../styles/exported.css";
 import { html, nothing, render, type TemplateResult } from "lit-html";
 import type { ProgramCore } from "../core/program";
 import { el, on } from "../dom";

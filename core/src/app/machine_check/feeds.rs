@@ -46,7 +46,7 @@ pub fn axis(given: &Exported) -> Option<MachineAxis> {
     };
     let [clock, ratio, acceleration, gain] = AXIS.map(lowest);
     let axis = MachineAxis { delay: clock? * ratio?, acceleration: acceleration?, gain: gain? };
-    braking(axis).possible().then_some(axis)
+    braking(axis).impossible().is_none().then_some(axis)
 }
 
 fn braking(axis: MachineAxis) -> Braking {
