@@ -71,7 +71,7 @@ function listOf({ faults, missing, ending }: MachineCheckView): TemplateResult {
       missing.length
         ? html`<section class="exported-group missing">
             <h3>${t("exported-missing", { count: missing.length })}</h3>
-            <p>${missing.map(name => html`<code>${name}</code> `)}</p>
+            <p class="exported-missing">${missing.map(name => html`<code>${name}</code> `)}</p>
           </section>`
         : nothing
     }`;
