@@ -34,6 +34,8 @@ import type {
   Recognised,
   RunRecord,
   RunRequest,
+  SeriesRequest,
+  SeriesStart,
   Setup,
   Story,
   Style,
@@ -77,6 +79,9 @@ export interface CertaintyQuestion {
   asked: string;
 }
 
+/** A program to be run many times. */
+export type SeriesQuestion = SeriesRequest;
+
 /** What is asked aside: about a whole program, or how certain a measurement is. */
 export type Question =
   | ({ ask: "read" } & ReadRequest)
@@ -85,6 +90,7 @@ export type Question =
   | ({ ask: "cure" } & CureRequest)
   | ({ ask: "equip" } & SupplyRequest)
   | ({ ask: "certainty" } & CertaintyQuestion)
+  | ({ ask: "series" } & SeriesQuestion)
   | ({ ask: "run" } & RunQuestion);
 
 /** What came of a session of measuring in JOG, and what is to be seen of it. */
@@ -104,6 +110,8 @@ export interface ProgramCore extends FormCore {
   machine(request: MachineRequest): MachineView;
   /** `why`: nothing of it can be checked. */
   machineCheck(request: MachineCheckRequest): MachineCheckView | { why: string };
+  /** What a series begins with; `why`: the machine cannot be. */
+  seriesStart(request: SeriesQuestion): SeriesStart | { why: string };
   equip(request: EquipRequest): EquipView;
   story(request: FormRequest): Story;
   practise(request: PracticeRequest): Practised;
@@ -155,7 +163,7 @@ function changes(
 }
 
 /** A question about a program that is answered at once; a run is answered in pieces. */
-export type AtOnce = Exclude<Question, { ask: "run" | "certainty" }>;
+export type AtOnce = Exclude<Question, { ask: "run" | "certainty" | "series" }>;
 
 /** The answer as JSON text, so that a worker can hand it over as it is; about the text in the module, if one is. */
 export function answer(question: Exclude<Question, { ask: "run" }>, held: Held | null = null): string {
@@ -269,6 +277,14 @@ function machineCheck(request: MachineCheckRequest): MachineCheckView | { why: s
   }
 }
 
+function seriesStart(request: SeriesQuestion): SeriesStart | { why: string } {
+  try {
+    return JSON.parse(wasm.series_start(JSON.stringify(request))) as SeriesStart;
+  } catch (problem) {
+    return { why: problem instanceof Error ? problem.message : String(problem) };
+  }
+}
+
 function recogniser(): ReturnType<ProgramCore["recogniser"]> {
   const its = new wasm.Recogniser();
   return { take: bytes => its.take(bytes), finish: () => JSON.parse(its.finish()) as Recognised };
@@ -298,6 +314,7 @@ export async function loadProgramCore(): Promise<ProgramCore> {
     equip: request => JSON.parse(call("equip", () => wasm.equip(JSON.stringify(request)))) as EquipView,
     story: request => JSON.parse(call("story", () => wasm.story(JSON.stringify(request)))) as Story,
     machineCheck,
+    seriesStart,
     machine: request => JSON.parse(call("machine", () => wasm.machine(JSON.stringify(request)))) as MachineView,
     catalogue: () => JSON.parse(call("catalogue", () => wasm.catalogue())) as Catalogue,
     alarms: () => JSON.parse(call("alarms", () => wasm.alarms())) as AlarmInfo[],
