@@ -79,4 +79,28 @@ describe("the check of a machine", () => {
     assert.deepEqual(problems, []);
     await context.close();
   });
+
+  // oracle: manual B:1184-1196 (12.6 mm at 6 m/min), hand (2 mm allow 1372.4 mm/min)
+  test("the braking path follows from the export or typed values, feeds beyond the deflection are told", async () => {
+    const { context, page, problems } = await open(chrome.browser);
+    const shown = await dialog(page);
+    await shown.getByText("Braking path", { exact: true }).click();
+    for (const [name, value] of [
+      ["Time from signal", "0.016"],
+      ["Lowest deceleration", "1"],
+      ["Feed, mm/min", "6000"],
+      ["Lowest servo gain", "1"],
+    ])
+      await shown.getByLabel(name).fill(value);
+    await shown.getByText(/12\.6.mm: 1\.6.mm until the command to brake, 5.mm while braking, 6.mm/).waitFor();
+    for (const name of ["Time from signal", "Lowest deceleration", "Lowest servo gain"])
+      await shown.getByLabel(name).fill("");
+    const axis = "MD10050=0.004\nMD10070=4\nMD32300[X1]=1\nMD32200[0,X1]=1\nE_MESS_F=2000\n";
+    await shown.getByLabel("Export of the control").fill(axis);
+    await shown.getByLabel("Permitted deflection").fill("2");
+    await shown.getByText(/Largest feed for this deflection: 1,?372\.4/).waitFor();
+    await shown.locator(".exported-group.warning", { hasText: "E_MESS_F" }).waitFor();
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
 });

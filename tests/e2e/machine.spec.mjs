@@ -51,6 +51,21 @@ describe("machine data", () => {
     await context.close();
   });
 
+  // oracle: hand (core/tests/idle.rs holds the list against the code)
+  test("a datum that the simulation does not read says so", async () => {
+    const { context, page } = await open(chrome.browser);
+    const shown = await dialog(page);
+    for (const [words, count] of [
+      ["_CBIT[7]", 1],
+      ["_CBIT[0]", 0],
+    ]) {
+      await shown.getByRole("searchbox").fill(words);
+      await shown.locator(".datum").first().waitFor();
+      assert.equal(await shown.getByText("No effect in the simulation.").count(), count, words);
+    }
+    await context.close();
+  });
+
   // oracle: manual B:13726 (1 to 100 %)
   test("what cannot be is told at its place, with the cure", async () => {
     const { context, page } = await open(chrome.browser);

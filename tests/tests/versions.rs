@@ -18,10 +18,12 @@ fn wasm_bindgen_and_its_generator_have_one_version() {
     assert_eq!(version_of("Cargo.toml", "wasm-bindgen"), version_of("xtask/Cargo.toml", "wasm-bindgen-cli"));
 }
 
-// oracle: hand (who installs the package by its version gets the module of that version)
+// oracle: hand (who installs a package by its version gets the module of that version)
 #[test]
-fn the_npm_package_has_the_version_of_the_workspace() {
-    let package = std::fs::read_to_string(root().join("web/npm/package.json")).unwrap();
+fn the_packages_have_the_version_of_the_workspace() {
     let version = format!("\"version\": \"{}\"", env!("CARGO_PKG_VERSION"));
-    assert!(package.contains(&version), "{version}");
+    for file in ["web/npm/package.json", "editors/vscode/package.json"] {
+        let package = std::fs::read_to_string(root().join(file)).unwrap();
+        assert!(package.contains(&version), "{file}: {version}");
+    }
 }

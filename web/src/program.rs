@@ -271,6 +271,15 @@ pub fn machine(request: &str) -> Result<String, JsError> {
     Ok(json::answer(request, app::machine)?)
 }
 
+/// `BrakingRequest` → `BrakingView`.
+///
+/// # Errors
+/// A request of the wrong shape, or an axis that cannot be.
+#[wasm_bindgen]
+pub fn braking(request: &str) -> Result<String, JsError> {
+    Ok(json::answer(request, app::braking)?)
+}
+
 /// `MachineCheckRequest` → `MachineCheckView`.
 ///
 /// # Errors

@@ -267,6 +267,40 @@ export type Beside = {
   text: string,
 };
 
+/** The parts of a braking path, mm. */
+export type BrakingPath = {
+  /** Until the command to brake. */
+  delay: number,
+  /** While the set speed falls to zero. */
+  braking: number,
+  /** What the axis lags behind its set position. */
+  following: number,
+  /** All of it. */
+  sum: number,
+};
+
+/** An axis, and what is asked of it. */
+export type BrakingRequest = {
+  /** From the signal to the braking command, s. */
+  delay: number,
+  /** Deceleration, m/s². */
+  acceleration: number,
+  /** Servo gain, (m/min)/mm. */
+  gain: number,
+  /** Feed whose path is asked for, mm/min. */
+  feed?: number,
+  /** Deflection whose largest feed is asked for, mm. */
+  deflection?: number,
+};
+
+/** What an axis needs to stop. */
+export type BrakingView = {
+  /** Path of the feed. */
+  path?: BrakingPath,
+  /** Largest feed of the deflection, mm/min. */
+  feed?: number,
+};
+
 /** Whence the calibration of a probe. */
 export type CalibrationState = "calibrates" | "run" | "stored" | "differs";
 
@@ -870,6 +904,8 @@ export type EquipmentCell = {
   range: Range,
   /** Place in the manual. */
   source: Cited,
+  /** Whether nothing in the simulation reads it. */
+  idle: boolean,
 } & ({ "kind": "real" } | { "kind": "integer" } | { "kind": "choice",
   /** The numbers. */
   choices: Array<number>,
@@ -1317,6 +1353,16 @@ export type LineKind = "grid" | "edge" | "zone" | "limit" | "nominal" | "axisX" 
 /** The machine of a question. */
 export type Machine = OwnMachine | Setup;
 
+/** What the export says of the slowest axis. */
+export type MachineAxis = {
+  /** From the signal to the braking command, s. */
+  delay: number,
+  /** Lowest deceleration, m/s². */
+  acceleration: number,
+  /** Lowest servo gain, (m/min)/mm. */
+  gain: number,
+};
+
 /** What the control exported. */
 export type MachineCheckRequest = {
   /** Its files, or what somebody typed, in their order. */
@@ -1325,6 +1371,8 @@ export type MachineCheckRequest = {
   without: Array<Use>,
   /** Whether the control is an NCU 3, for which the manual prints larger memories (B:12955, A:14218). */
   large: boolean,
+  /** Deflection that the probe allows, mm: feeds with a longer braking path are told. */
+  deflection?: number,
 };
 
 /** What is wrong with a machine. */
@@ -1339,6 +1387,8 @@ export type MachineCheckView = {
   missing: Array<string>,
   /** The lines to change, as a control reads them; empty: none. */
   changes: string,
+  /** The slowest axis, where the files say what its braking path follows from. */
+  axis?: MachineAxis,
 };
 
 /** Something that is wrong with a machine. */
@@ -1389,6 +1439,8 @@ export type MachineField = {
   range: Range,
   /** Place in the manual. */
   source: Cited,
+  /** Whether nothing in the simulation reads it. */
+  idle: boolean,
 } & ({ "kind": "real" } | { "kind": "integer" } | { "kind": "choice",
   /** The numbers. */
   choices: Array<number>,

@@ -2,11 +2,11 @@
 
 use crate::steps::Steps;
 use crate::wasm::Make;
-use crate::{package, page, tools, wasm};
+use crate::{editor, package, page, tools, wasm};
 use anyhow::Result;
 
 /// Of how many steps [`build`] is.
-pub const STEPS: usize = 3 + wasm::STEPS;
+pub const STEPS: usize = 4 + wasm::STEPS;
 
 /// Gets what is missing and builds `dist/`.
 pub fn build(steps: &mut Steps, make: Make) -> Result<()> {
@@ -16,13 +16,14 @@ pub fn build(steps: &mut Steps, make: Make) -> Result<()> {
     })?;
     wasm::build(steps, make)?;
     steps.run("page", page::build)?;
-    steps.run("npm package", || if make == Make::Small { package::pack() } else { Ok(()) })
+    steps.run("npm package", || if make == Make::Small { package::pack() } else { Ok(()) })?;
+    steps.run("extension", || if make == Make::Small { editor::pack() } else { Ok(()) })
 }
 
 /// `cargo xtask dist`.
 pub fn dist() -> Result<()> {
     build(&mut Steps::of(STEPS), Make::Small)?;
     println!("{} is ready for any static file server", tools::root().join("dist").display());
-    println!("{} holds the npm package", tools::root().join("pkg").display());
+    println!("{} holds the npm package and the extension for Visual Studio Code", tools::root().join("pkg").display());
     Ok(())
 }

@@ -5,6 +5,7 @@ mod browser;
 mod corpus;
 mod counts;
 mod dist;
+mod editor;
 mod fuzz;
 mod package;
 mod page;

@@ -2,8 +2,8 @@
 
 use crate::counts::Tally;
 use crate::tools::{WASM, cargo, command, component, root, run, wasm_target};
-use crate::wasm::Make;
-use crate::{browser, dist, page, serve};
+use crate::wasm::{Make, target};
+use crate::{browser, dist, editor, page, serve};
 use anyhow::{Context, Result};
 use std::path::PathBuf;
 use std::process::Command;
@@ -165,10 +165,15 @@ fn in_the_page(tally: &mut Tally, built: bool) -> Result<()> {
     }
     page::packages()?;
     tally.check("types of the page", page::types);
+    tally.check("language server", || {
+        editor::packages()?;
+        run(&mut cargo("build --locked --profile test -p probewright-core --all-features --bin probewright"))
+    });
     let address = serve::in_background()?;
     let mut node = command("node");
     node.args(["--test", "--test-reporter=spec"]).arg(format!("--test-concurrency={}", at_once())).args(specs()?);
     node.env("CHROME", browser.chrome).env("PROBEWRIGHT_URL", format!("http://{address}/"));
+    node.env("PROBEWRIGHT_SERVER", target().join("debug/probewright"));
     tally.suite("the page in Chromium", &mut node);
     Ok(())
 }

@@ -308,6 +308,7 @@ datum-chbit-8 = Summen-/Einrichtekorrektur
     .v1 = immer in die Einrichtekorrektur
 datum-chbit-9 = Nicht belegt
 datum-chbit-10 = Messergebnisbild
+    .help = CYCLE102 zeigt es an; die Messzyklen rufen ihn auf, nicht das Programm.
     .v0 = aus
     .v1 = ein
 datum-chbit-11 = Messergebnisbild schließen
@@ -371,7 +372,7 @@ datum-speed-2 = Zustellvorschub mit Kollisionsüberwachung
 datum-speed-3 = Schneller Messvorschub
     .help = 1. Antastung, mit _CHBIT[17]=1 und _FA über 1 mm.
 datum-pw-forms = Masken und Programmtext
-    .help = Einstellung von Probewright: ob _MZ_MASK hier so gilt wie im Editor der Steuerung.
+    .help = Einstellung von Probewright: ob _MZ_MASK hier so gilt wie im Editor der Steuerung. Bis SW 4.5 öffnete CYCLE103 die Masken vor dem Aufruf.
     .v0 = alle Felder, nur eingegebene Werte
     .v1 = wie auf der Steuerung: nach _MZ_MASK
 datum-pw-jog = Masken des Messens in JOG

@@ -33,6 +33,7 @@ machine-check-most = Höchstens { $most }.
 machine-check-no-lines = Keine Wertezeile des Protokolls ist ausgefüllt.
 machine-check-skipped = In der Simulation überspringt die Steuerung die Messzyklen.
 machine-check-ratios = { $size } Einträge für { $probes } Werkstückmesstaster: bei den übrigen werden die Triggerwerte nicht korrigiert.
+machine-check-braking = Bei { $feed } wird der Messtaster bis zu { $path } mm ausgelenkt, zulässig sind { $deflection } mm; höchstens { $largest }.
 
 machine-need-gud = Die Definitionsdateien GUD5, GUD6 und GUD7 lassen sich nicht aktivieren. Eine Änderung des Speichers löst Alarm 4400 aus: Serieninbetriebnahme sichern und wieder einlesen.
 machine-need-functions = Die Steuerung kennt nicht alle Zyklen mit Parametern.

@@ -308,6 +308,7 @@ datum-chbit-8 = Additive and setup offsets
     .v1 = Always setup offset
 datum-chbit-9 = Unassigned
 datum-chbit-10 = Result screen
+    .help = CYCLE102 shows it; the measuring cycles call it, not the program.
     .v0 = Off
     .v1 = On
 datum-chbit-11 = Result screen closes
@@ -371,7 +372,7 @@ datum-speed-2 = Infeed, monitored
 datum-speed-3 = Fast measuring feed
     .help = First touch, with _CHBIT[17]=1 and _FA above 1 mm.
 datum-pw-forms = Forms and code
-    .help = A setting of Probewright: whether _MZ_MASK applies here as it does in the editor of the control.
+    .help = A setting of Probewright: whether _MZ_MASK applies here as it does in the editor of the control. Up to SW 4.5, CYCLE103 opened the masks before the call.
     .v0 = All fields, and only entered values
     .v1 = As on the control, by _MZ_MASK
 datum-pw-jog = Masks of measuring in JOG

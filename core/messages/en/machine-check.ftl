@@ -33,6 +33,7 @@ machine-check-most = At most { $most }.
 machine-check-no-lines = No value line of the log is filled in.
 machine-check-skipped = In simulation, the control skips the measuring cycles.
 machine-check-ratios = { $size } entries for { $probes } workpiece probes: for the others, the trigger values are not corrected.
+machine-check-braking = At { $feed }, the probe is deflected by up to { $path } mm, but it allows { $deflection } mm; at most { $largest }.
 
 machine-need-gud = The definition files GUD5, GUD6 and GUD7 cannot be activated. A change of the memory raises alarm 4400: save and read back a series archive.
 machine-need-functions = The control does not know all cycles that have parameters.

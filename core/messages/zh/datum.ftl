@@ -308,6 +308,7 @@ datum-chbit-8 = 附加补偿和设定补偿
     .v1 = 始终写入设定补偿
 datum-chbit-9 = 未占用
 datum-chbit-10 = 结果画面
+    .help = 由 CYCLE102 显示；它由测量循环调用，不由程序调用。
     .v0 = 关
     .v1 = 开
 datum-chbit-11 = 结果画面退出方式
@@ -371,7 +372,7 @@ datum-speed-2 = 进刀，有监控
 datum-speed-3 = 快速测量进给
     .help = _CHBIT[17]=1 且 _FA 大于 1 mm 时的第一次触碰。
 datum-pw-forms = 表单和代码
-    .help = Probewright 自己的设置：_MZ_MASK 在此是否像在控制系统的编辑器中那样起作用。
+    .help = Probewright 自己的设置：_MZ_MASK 在此是否像在控制系统的编辑器中那样起作用。至 SW 4.5，由 CYCLE103 在调用前打开输入画面。
     .v0 = 全部字段，只写输入的值
     .v1 = 与控制系统相同：由 _MZ_MASK 决定
 datum-pw-jog = 在 JOG 中测量的输入画面

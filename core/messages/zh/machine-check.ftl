@@ -33,6 +33,7 @@ machine-check-most = 最大为 { $most }。
 machine-check-no-lines = 测量记录的数值行均未填写。
 machine-check-skipped = 在模拟中，控制系统跳过测量循环。
 machine-check-ratios = { $probes } 个工件测头只有 { $size } 个条目：其余测头的触发值不作修正。
+machine-check-braking = 进给率为 { $feed } 时，测头偏转可达 { $path } mm，而允许值为 { $deflection } mm；最大为 { $largest }。
 
 machine-need-gud = 无法激活定义文件 GUD5、GUD6 和 GUD7。更改存储器会触发报警 4400：请保存批量调试存档并重新读入。
 machine-need-functions = 控制系统不能识别所有带参数的循环。

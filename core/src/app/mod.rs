@@ -8,6 +8,7 @@ mod around;
 #[cfg(test)]
 mod around_tests;
 mod beside;
+mod braking;
 mod catalogue;
 mod certainty;
 mod changes;
@@ -48,6 +49,7 @@ pub use answer::{
 };
 pub use around::{AroundBlock, AroundField, AroundRequest, AroundView, Wanted as AroundWanted, around};
 pub use beside::{Beside, FileStart};
+pub use braking::{BrakingPath, BrakingRequest, BrakingView, braking};
 pub use catalogue::{AroundInfo, Catalogue, CycleInfo, ParameterInfo, Purpose, Values, VariantInfo, catalogue};
 pub use certainty::{Certain, CertainChances, CertaintyRequest, CertaintyView, Contribution, certainty};
 pub use changes::Change;
@@ -63,7 +65,8 @@ pub use help::{HelpRequest, HelpResult, HelpSection, HelpText, HelpView, help};
 pub use jog::{JogLine, JogPoint, JogResult, JogView, JogWrong, jog};
 pub use machine::{MachineField, MachineGroup, MachineProblem, MachineRequest, MachineView, machine};
 pub use machine_check::{
-    ExportedFile, MachineCheckRequest, MachineCheckView, MachineFault, MachineLimit, MachinePlace, machine_check,
+    ExportedFile, MachineAxis, MachineCheckRequest, MachineCheckView, MachineFault, MachineLimit, MachinePlace,
+    machine_check,
 };
 pub use outcome::{Measured, Outcome, Raised};
 pub use practice::{

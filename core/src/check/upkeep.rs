@@ -67,6 +67,7 @@ pub const SCREEN_HALTS: &str = "evaluate-screen-halt";
 pub const SCREEN_STAYS: &str = "evaluate-screen-stays";
 
 /// The measuring result screen at a call's end: its time, or that it waits for NC START (B:12564-12578, B:13953-13971).
+/// CYCLE102 shows it (B:2386); a program does not call it (B:2378).
 pub fn screen(machine: &mut dyn Machine, cycle: &Cycle) {
     let control = machine.control();
     if !cycle.is_measuring_cycle() || !control.bit("_CHBIT[10]") {

@@ -13,7 +13,8 @@ use std::sync::OnceLock;
 #[cfg(test)]
 use std::{cell::RefCell, collections::BTreeSet};
 
-/// Setting of ours, a name that no program can write: 1 lets `_MZ_MASK` decide over forms and code.
+/// Setting of ours, a name that no program can write: 1 lets `_MZ_MASK` decide over forms and code. Up to SW 4.5 the
+/// masks were those of CYCLE103 (B:15297-15310, A:15977-16007).
 pub const FORMS: &str = "PW-FORMS";
 /// Setting of ours: 1 gives measuring in JOG the masks that it had up to measuring cycles SW 6.2.
 pub const OLDER_JOG: &str = "PW-JOG";

@@ -1,6 +1,7 @@
 //! State of the control: plane, units, frames, tools, user data. Plain data with the manual's bookkeeping.
 
 pub mod arrays;
+pub mod braking;
 mod calibration;
 pub mod data;
 pub mod definitions;
@@ -9,6 +10,7 @@ pub mod environments;
 mod frame;
 pub mod frames;
 pub mod gud;
+pub mod idle;
 pub mod limits;
 pub mod machine_data;
 mod machine_sort;

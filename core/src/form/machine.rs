@@ -2,6 +2,7 @@
 
 use crate::check::{Parsed, parse};
 use crate::control::gud::{Element, Gud, System, Unit};
+use crate::control::idle::idle;
 use crate::control::machine_data::MACHINE_DATA;
 use crate::control::nct_data::NctDatum;
 use crate::control::{Control, OLDER_JOG, Units, Value, gud, machine_data, nct_data};
@@ -54,6 +55,8 @@ pub struct Setting {
     pub range: Range,
     /// Place in the manual.
     pub source: Cited,
+    /// Whether nothing in the simulation reads it.
+    pub idle: bool,
 }
 
 /// Settings of one subject.
@@ -88,6 +91,7 @@ fn nct(basic: Units) -> Vec<Group> {
         unit: unit(datum.element.unit, basic),
         range: datum.element.range,
         source: Cited(datum.element.source),
+        idle: false,
     };
     let subjects = nct_data::SUBJECTS.iter();
     subjects.map(|subject| group(subject.key, subject.data.iter().map(setting).collect())).collect()
@@ -118,6 +122,7 @@ fn ours(name: &str, key: &str) -> Setting {
         unit: "",
         range: Range::closed(0.0, 1.0),
         source: Cited(""),
+        idle: false,
     }
 }
 
@@ -141,8 +146,10 @@ fn setting(gud: &'static Gud, element: &Element, at: &[usize], basic: Units) -> 
         gud::Kind::Real => Entry::Real,
         gud::Kind::Integer | gud::Kind::Bool => Entry::Integer,
     };
+    let name = gud.spelled(at);
     Setting {
-        name: gud.spelled(at),
+        idle: idle(&name),
+        name,
         key: gud.key(element),
         field: at.first().filter(|_| numbered).map(|k| (gud.name, k + 1)),
         entry,
@@ -153,7 +160,8 @@ fn setting(gud: &'static Gud, element: &Element, at: &[usize], basic: Units) -> 
 }
 
 fn of_machine_datum(datum: &'static machine_data::MachineDatum) -> Vec<Setting> {
-    let setting = |name| Setting {
+    let setting = |name: String| Setting {
+        idle: idle(&name),
         name,
         key: datum.key(),
         field: None,

@@ -60,6 +60,13 @@ pub fn variables(program: &Program, site: &CallSite, name: &str, typed: &str) ->
     found.map(|name| variable(program, word, id, name, wanted)).collect()
 }
 
+/// Where the assignments begin that may have given a variable its value where a word reads it: the first byte of each
+/// right side. What was before the program is none.
+pub fn assigned(program: &Program, word: &Word, name: &str) -> Vec<u32> {
+    let given = Reads::of(program, name).found.remove(&word.span.start).unwrap_or_default();
+    given.into_iter().filter_map(|one| if let Given::At(at) = one { Some(at) } else { None }).collect()
+}
+
 /// Whether the list of the call has the value with the other sign.
 fn is_down(site: &CallSite, name: &str, place: Span) -> bool {
     let down = |arg: &Arg| matches!(arg, Arg::Down(param) if *param == name);

@@ -114,6 +114,20 @@ fn machine_checks_what_a_control_exported() {
         view["faults"].as_array().unwrap().iter().map(|fault| fault["message"]["key"].as_str()).collect();
     assert!(left.iter().all(|key| *key == Some("machine-check-twice")), "{left:?}");
     assert_eq!((again.status.code(), view["changes"].as_str()), (Some(0), Some("")));
+    let archive = file("check.arc", b"\x00\x01\x02\xfe\x00\r\nMD18118=7\r\n\x00\x00\x7f\x00");
+    assert_eq!(probewright(&["machine", &archive]).status.code(), Some(0));
     let nothing = probewright(&["machine", &file("check.nc", b"N10 G0 X1\n")]);
     assert_eq!(nothing.status.code(), Some(2));
+}
+
+// oracle: manual B:1184-1196 (12.6 mm), hand (the largest feed for 2 mm)
+#[test]
+fn braking_tells_path_and_feed() {
+    let axis = ["braking", "--delay", "0.016", "--acceleration", "1", "--gain", "1"];
+    let asked = |more: &[&str]| probewright(&[&axis, more].concat());
+    let told = out(&asked(&["--feed", "6000", "--deflection", "2"]));
+    assert!(told.contains("12.6\u{a0}mm: 1.6\u{a0}mm until") && told.contains("1372.4\u{a0}mm/min"), "{told}");
+    let view: serde_json::Value = serde_json::from_str(&out(&asked(&["--feed", "6000", "--json"]))).unwrap();
+    assert!((view["path"]["sum"].as_f64().unwrap() - 12.6).abs() < 1e-9 && view["feed"].is_null());
+    assert_eq!(asked(&["--feed=-1"]).status.code(), Some(2));
 }

@@ -3,7 +3,8 @@
 use super::{err, out, probewright};
 use probewright_core::words::LANGUAGES;
 
-const COMMANDS: [&str; 10] = ["cycles", "explain", "alarms", "check", "write", "read", "run", "test", "jog", "machine"];
+const COMMANDS: [&str; 11] =
+    ["cycles", "explain", "alarms", "check", "write", "read", "run", "test", "jog", "machine", "braking"];
 
 /// English of the parser of the command line, which no other language shows.
 const ITS_OWN: [&str; 7] = ["Usage", "Options", "Arguments", "Commands", "Print", "possible", "OPTIONS"];

@@ -2,7 +2,7 @@
 // said while the page was built.
 
 import { catalogue, form } from "answers:first";
-import type { Catalogue, CycleInfo, FormRequest, FormView } from "../wire";
+import type { AroundRequest, AroundView, Catalogue, CycleInfo, FormRequest, FormView } from "../wire";
 import { firstQuestion } from "./example";
 import type { SceneData } from "./scene";
 
@@ -15,6 +15,8 @@ export interface FormCore {
   /** Whether it is the core that answers; else whether that will come. */
   simulates: "yes" | "coming" | "no";
   form(request: FormRequest): Formed;
+  /** The blocks around a call; absent until the core has come. */
+  around?(request: AroundRequest): AroundView;
 }
 
 /** What stands in for the core. */

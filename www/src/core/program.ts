@@ -6,6 +6,9 @@ import address from "@pkg/core/core_bg.wasm?url";
 import type { Splice } from "../eol";
 import type {
   AlarmInfo,
+  AroundView,
+  BrakingRequest,
+  BrakingView,
   Catalogue,
   Changed,
   Converted,
@@ -108,6 +111,8 @@ export interface ProgramCore extends FormCore {
   alarms(): AlarmInfo[];
   help(request: HelpRequest): HelpView;
   machine(request: MachineRequest): MachineView;
+  /** `why`: there is no such axis. */
+  braking(request: BrakingRequest): BrakingView | { why: string };
   /** `why`: nothing of it can be checked. */
   machineCheck(request: MachineCheckRequest): MachineCheckView | { why: string };
   /** What a series begins with; `why`: the machine cannot be. */
@@ -269,6 +274,14 @@ function setupOf(text: string): Setup | { why: string } {
   }
 }
 
+function braking(request: BrakingRequest): BrakingView | { why: string } {
+  try {
+    return JSON.parse(wasm.braking(JSON.stringify(request))) as BrakingView;
+  } catch (problem) {
+    return { why: problem instanceof Error ? problem.message : String(problem) };
+  }
+}
+
 function machineCheck(request: MachineCheckRequest): MachineCheckView | { why: string } {
   try {
     return JSON.parse(wasm.machine_check(JSON.stringify(request))) as MachineCheckView;
@@ -304,6 +317,7 @@ export async function loadProgramCore(): Promise<ProgramCore> {
       JSON.parse(call("as_program", () => wasm.as_program(JSON.stringify(request)))) as PracticeProgram,
     asMask: request => JSON.parse(call("as_mask", () => wasm.as_mask(JSON.stringify(request)))) as PracticeCall | null,
     setup: setupOf,
+    around: request => JSON.parse(call("around", () => wasm.around(JSON.stringify(request)))) as AroundView,
     change: request => changes(request, null),
     recogniser,
     form: formed,
@@ -313,6 +327,7 @@ export async function loadProgramCore(): Promise<ProgramCore> {
     help: request => JSON.parse(call("help", () => wasm.help(JSON.stringify(request)))) as HelpView,
     equip: request => JSON.parse(call("equip", () => wasm.equip(JSON.stringify(request)))) as EquipView,
     story: request => JSON.parse(call("story", () => wasm.story(JSON.stringify(request)))) as Story,
+    braking,
     machineCheck,
     seriesStart,
     machine: request => JSON.parse(call("machine", () => wasm.machine(JSON.stringify(request)))) as MachineView,

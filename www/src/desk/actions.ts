@@ -51,7 +51,7 @@ import type {
 } from "../wire";
 import { sameName } from "./beside";
 import { opened } from "./calls";
-import { type Derived, findCycle } from "./derive";
+import { aroundAt, type Derived, findCycle } from "./derive";
 import { asBegun, equipped, errorsOf, freeName, used } from "./equipped";
 import { isRead, withEdits } from "./program";
 import { STEPS } from "./story";
@@ -157,6 +157,8 @@ export interface Actions {
   keep(name: string): void;
   card(card: Card | null): void;
   insert(snippet: string): void;
+  /** A block around the call is wanted from now on, and the blocks are shown. */
+  around(name: string): void;
   /** A call is inserted, with the lines before it, and comes into the form. */
   write(cycle: string, values: Record<string, string>, text: string): void;
   error<G extends keyof ErrorSliders>(group: G, name: keyof ErrorSliders[G], value: number): void;
@@ -588,6 +590,13 @@ export function createActions(store: Store, catalogue: Catalogue, core: () => Pr
         }),
       );
       store.flush(); // the editor has to hold it before the next key
+    },
+    around(name) {
+      const at = aroundAt(now());
+      const { around } = now().snippet;
+      const blocks = around?.at === at ? around.blocks : null;
+      store.update({ snippet: { around: { at, blocks: { ...blocks, [name]: blocks?.[name] ?? {} } } } });
+      store.flush(); // who wants it goes on in it
     },
     write(cycle, values, text) {
       const state = now();

@@ -6,9 +6,10 @@ import type { FormCore, Formed } from "../core/core";
 import type { SceneData } from "../core/scene";
 import { type Course, courseOf } from "../core/steps";
 import { writtenAs } from "../numbers";
-import { type FormState, machine, type PartState, programOf, type State } from "../state/state";
-import { language, say } from "../texts";
+import { type AroundDraft, type FormState, machine, type PartState, programOf, type State } from "../state/state";
+import { language, say, t } from "../texts";
 import type {
+  AroundView,
   CallView,
   Catalogue,
   CertaintyView,
@@ -43,6 +44,7 @@ export interface Derived {
   read: ReadView; // of `program`, or while `fresh` is false of what it was a little earlier
   fresh: boolean;
   opened: CallView | null;
+  around: AroundView | null; // blocks around the call, while they are unfolded
   // values of the opened call that differ by the way, and count for the outcome as they arrive first
   assumed: CallView["first"];
   states: (Severity | null)[]; // the worst that is said about each call
@@ -143,6 +145,47 @@ function labels(view: FormView): Record<string, string> {
   return Object.fromEntries(view.fields.map(field => [field.name, say(field.label)]));
 }
 
+/** Which call the blocks around one belong to. */
+export const aroundAt = ({ form: { control, cycle, open } }: State): string => `${control}/${cycle}/${open ?? ""}`;
+
+/** The wanted blocks of the call in the form; null: they are folded. */
+function aroundHere(state: State): AroundDraft | null {
+  const { around } = state.snippet;
+  if (!around) return null;
+  const at = aroundAt(state);
+  return around.at === at ? around : { at, blocks: null };
+}
+
+/** The blocks around a call, and what the wanted ones would be: asked twice, as the first answer names the words. */
+function aroundOf(
+  core: FormCore,
+  cycle: CycleInfo,
+  values: FormState["values"],
+  text: string,
+  call: number | null,
+  draft: AroundDraft | null,
+  comments: boolean,
+  setup: Setup | OwnMachine | undefined,
+  _language: string,
+): AroundView | null {
+  if (!draft || !core.around || call === -1) return null;
+  const wanted = draft.blocks && Object.entries(draft.blocks).map(([name, values]) => ({ name, values }));
+  const request = {
+    control: cycle.control,
+    cycle: cycle.cycle,
+    values,
+    text,
+    comments,
+    ...(setup ? { setup } : {}),
+    ...(call === null ? {} : { call }),
+    ...(wanted ? { wanted } : {}),
+  };
+  const view = core.around(request);
+  const keys = view.blocks.filter(block => block.wanted).flatMap(block => block.says);
+  if (!keys.length) return view;
+  return core.around({ ...request, words: Object.fromEntries(keys.map(key => [key, t(key)])) });
+}
+
 export function createDerive(forms: () => FormCore, catalogue: Catalogue): (state: State) => Derived {
   const first = catalogue.cycles[0];
   if (!first) throw new Error("the catalogue is empty");
@@ -192,6 +235,7 @@ export function createDerive(forms: () => FormCore, catalogue: Catalogue): (stat
       return { ...view, snippet, snippetPlaces };
     },
   );
+  const around = memo(aroundOf);
   const assume = memo(assumptions);
   const known = memo(worth);
   const still = memo(stillOf);
@@ -223,6 +267,18 @@ export function createDerive(forms: () => FormCore, catalogue: Catalogue): (stat
       state.form.around?.transverse,
       opened?.style,
     );
+    const index = opened ? reading.calls.indexOf(opened) : null;
+    const blocks = around(
+      core,
+      cycle,
+      values,
+      programOf(state),
+      index,
+      aroundHere(state),
+      state.snippet.comments,
+      machine(state).setup,
+      language(),
+    );
     const all = problems(reading);
     const ran =
       state.view.source === "program" && state.run.done?.control === cycle.control ? state.run.done.view : null;
@@ -244,6 +300,7 @@ export function createDerive(forms: () => FormCore, catalogue: Catalogue): (stat
       read: reading,
       fresh: isRead(state),
       opened,
+      around: blocks,
       states: states(reading.calls, all),
       style: style ?? view.preset,
       run: ran,

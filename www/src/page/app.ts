@@ -61,6 +61,7 @@ export async function startApp(stored: Flat | null, returned: boolean): Promise<
     afterLoad(() => void watchForUpdate(store));
   });
   const packed = packedWork();
+  const framed = parent !== window && location.hash === "#framed";
   const place = packed ? "work" : firstPlace(stored);
   const example = !stored && !packed && place === "work"; // what it needs of the catalogue is there
   const first = patched(await startState(modules, stored, packed), { page: { place } });
@@ -70,7 +71,11 @@ export async function startApp(stored: Flat | null, returned: boolean): Promise<
     const rest = draw();
     return rest && guardedly(rest);
   });
-  const store = createStore(first, drawn, () => keep());
+  let tellFrame = (): void => undefined; // of an editor that shows the page
+  const store = createStore(first, drawn, () => {
+    keep();
+    tellFrame();
+  });
   const keep = createKeeping(store);
   const absent = (problem: unknown): void => {
     console.error(problem);
@@ -94,7 +99,12 @@ export async function startApp(stored: Flat | null, returned: boolean): Promise<
   } catch (problem) {
     absent(problem);
   }
+  const takeFrame = async (): Promise<void> => {
+    const { createFrame } = await import("./frame");
+    tellFrame = createFrame(store, parts.actions, parts.open);
+  };
   takeLaunch(store, parts.actions, parts.open);
+  if (framed) void takeFrame();
   calm.begin();
 }
 

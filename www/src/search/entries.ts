@@ -5,9 +5,9 @@ import type { Variant } from "../desk/actions";
 import { inEach, inEnglish, optional, t } from "../texts";
 import type { AlarmInfo, Catalogue, CycleInfo, Dialect } from "../wire";
 
-export type Kind = "measurement" | "parameter" | "result" | "alarm";
+export type Kind = "measurement" | "around" | "parameter" | "result" | "alarm";
 /** In the order in which they are shown where they fit equally well. */
-export const KINDS: Kind[] = ["measurement", "parameter", "result", "alarm"];
+export const KINDS: Kind[] = ["measurement", "around", "parameter", "result", "alarm"];
 
 export interface Entry {
   id: number;
@@ -104,7 +104,21 @@ function ofAlarm(cycles: readonly CycleInfo[], { code, key, cycles: names }: Ala
   };
 }
 
-export function entries({ cycles }: Catalogue, alarms: readonly AlarmInfo[]): Entry[] {
+/** A block around a call, by the name that the terminal has for it. */
+const block = ({ control, name, key }: Catalogue["around"][number]): Found => ({
+  kind: "around",
+  control,
+  code: name,
+  title: t(key),
+  words: `${inEnglish(key)} ${searched(key)}`,
+  names: inEach(key),
+  foreign: inEach(`${key}-words`),
+  key,
+  cycles: [],
+  others: [],
+});
+
+export function entries({ cycles, around }: Catalogue, alarms: readonly AlarmInfo[]): Entry[] {
   const all = [
     ...cycles.flatMap(measurements),
     ...shared(cycles, ({ control, parameters }) =>
@@ -131,6 +145,7 @@ export function entries({ cycles }: Catalogue, alarms: readonly AlarmInfo[]): En
         foreign: "",
       })),
     ),
+    ...around.map(block),
     ...alarms.map(alarm => ofAlarm(cycles, alarm)),
   ];
   return all.map((one, id) => ({ ...one, id }));

@@ -147,6 +147,13 @@ export interface SnippetState {
   comments: boolean;
   twin: boolean; // the same task on the other control is shown
   style: Style | ""; // call style, where the cycle has it; empty: as the machine has it
+  around: AroundDraft | null; // blocks around the call; null: they are folded
+}
+
+/** The blocks around a call that are wanted, as long as they are not in the program. */
+export interface AroundDraft {
+  at: string; // the call that they are for: control, cycle, place in the program
+  blocks: Record<string, Record<string, string>> | null; // values by field, by block; null: as in the program
 }
 
 /** The part that is measured. */
@@ -198,6 +205,7 @@ export interface ViewState {
   step: number;
   playing: boolean;
   speed: number; // of playing
+  halts: boolean; // playing waits where the control waits for NC START
   diameters: boolean; // of a turned part, as on a drawing
   errors: number; // how many times as large those of the part are drawn
   section: boolean; // the part is cut open
@@ -370,7 +378,7 @@ export function firstState(): State {
       focus: null,
       pointed: null,
     },
-    snippet: { comments: true, twin: false, style: "" },
+    snippet: { comments: true, twin: false, style: "", around: null },
     part: { errors: NO_ERRORS, limits: false },
     program: {
       texts: {},
@@ -402,6 +410,7 @@ export function firstState(): State {
       step: AT_END,
       playing: false,
       speed: 1,
+      halts: true,
       diameters: false,
       errors: 1,
       section: false,

@@ -147,6 +147,7 @@ const FIELDS = {
   ),
   source: field("view", "source"),
   diameters: field("view", "diameters"),
+  halts: field("view", "halts"),
   panel: field("panels", "panel"),
   left: field("panels", "left"),
   right: field("panels", "right"),

@@ -8,6 +8,7 @@ import { icon } from "../icons";
 import { inFocus, type State } from "../state/state";
 import type { Store } from "../state/store";
 import { t } from "../texts";
+import { withBlocks } from "./around";
 import { createCode, inOneLine, piecesOf } from "./code";
 import { copyText } from "./copy";
 import { createMenu } from "./menu";
@@ -52,8 +53,8 @@ export function createFoot(
   return {
     root,
     draw(state, derived) {
-      snippet = derived.view.snippet;
-      drawCall(inOneLine(piecesOf(snippet, derived.view.snippetPlaces), derived.cycle.control));
+      snippet = withBlocks(derived);
+      drawCall(inOneLine(piecesOf(derived.view.snippet, derived.view.snippetPlaces), derived.cycle.control));
       const name = inFocus(state);
       if (name !== lit) bringInSight(call, name);
       lit = name;

@@ -9,6 +9,7 @@ import { inFocus, type Reset, type State } from "../state/state";
 import type { Store } from "../state/store";
 import { optional, t } from "../texts";
 import type { CallView, Diagnostic } from "../wire";
+import { createAround, withBlocks } from "./around";
 import { createAsks } from "./asks";
 import { createCode, piecesOf } from "./code";
 import { createExplain } from "./explain";
@@ -103,6 +104,7 @@ export function createForm(
   const callWays = createCallWays(actions);
   const asks = createAsks(actions);
   const ways = createSnippetWays(actions);
+  const around = createAround(store, actions);
   const twin = createTwin(store);
   const jog = el("button", { type: "button", class: "quiet practise-call" }, t("practice-call"));
   on(jog, "click", practise.go);
@@ -163,7 +165,15 @@ export function createForm(
     el("div", { class: "actions" }, jog),
     twin.root,
   );
-  const scroll = el("div", { class: "scroll" }, loose, fields, el("div", { class: "actions" }, groups.all), snippetBox);
+  const scroll = el(
+    "div",
+    { class: "scroll" },
+    loose,
+    fields,
+    el("div", { class: "actions" }, groups.all),
+    around.root,
+    snippetBox,
+  );
   root.append(
     el("header", { class: "panel-head form-head" }, el("div", { class: "form-name" }, title, chip), count, help),
     pictureBox,
@@ -243,7 +253,9 @@ export function createForm(
     if (view.picture) drawPicture(view.picture, inFocus(state), state.form.values);
     renderCount(count, state, view);
     if (comments.checked !== state.snippet.comments) comments.checked = state.snippet.comments;
-    drawSnippet(piecesOf(view.snippet, view.snippetPlaces));
+    around.draw(state, derived);
+    const whole = withBlocks(derived);
+    drawSnippet(piecesOf(whole, whole === view.snippet ? view.snippetPlaces : {}));
     setAttribute(snippet, "data-style", derived.style);
     show(snippet, view.snippet !== "");
     foot.draw(state, derived);

@@ -58,7 +58,10 @@ export function createFound(
     const { kind, code, key, variant, cycles, others } = entry;
     const [cycle] = cycles;
     if (kind === "result" || kind === "alarm") actions.card({ kind, code, key, cycles, others });
-    else if (kind !== "parameter") {
+    else if (kind === "around") {
+      actions.panel("form");
+      actions.around(code);
+    } else if (kind !== "parameter") {
       if (cycle) actions.chooseCycle(cycle, variant);
       actions.panel("form");
     } else if (cycle) goToField(cycle.control, code);

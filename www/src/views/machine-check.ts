@@ -7,6 +7,7 @@ import { el, on } from "../dom";
 import { saveFile } from "../state/files";
 import { say, sayProblem, t } from "../texts";
 import type { ExportedFile, MachineCheckView, MachineFault, Severity, Use } from "../wire";
+import { createBraking } from "./braking";
 import { textOf } from "./protocol";
 
 const SEVERITIES: Severity[] = ["error", "warning", "note"];
@@ -114,6 +115,7 @@ export function openMachineCheck(core: () => ProgramCore | null, end: AbortSigna
   const saving = el("button", { type: "button", disabled: true }, t("exported-save"));
   const printing = el("button", { type: "button", disabled: true }, t("exported-print"));
   const closing = el("button", { type: "button", class: "primary" }, t("exported-close"));
+  const braking = createBraking(core, () => later());
   const dialog = el(
     "dialog",
     { class: "exported", "aria-labelledby": "exported-title", "data-takes-files": true },
@@ -132,6 +134,7 @@ export function openMachineCheck(core: () => ProgramCore | null, end: AbortSigna
         ...uses.map(({ label }) => label),
         large.label,
       ),
+      braking.root,
       problem,
       list,
     ),
@@ -144,16 +147,27 @@ export function openMachineCheck(core: () => ProgramCore | null, end: AbortSigna
 
   const check = (): void => {
     const typed = text.value.trim() ? [{ name: t("exported-text"), text: text.value }] : [];
-    const asked = { files: [...files, ...typed], without: uses.filter(one => !one.input.checked).map(one => one.use) };
+    const deflection = braking.deflection();
+    const asked = {
+      files: [...files, ...typed],
+      without: uses.filter(one => !one.input.checked).map(one => one.use),
+      large: large.input.checked,
+      ...(deflection === null ? {} : { deflection }),
+    };
     [view, problem.textContent] = [null, ""];
-    const answer = asked.files.length ? core()?.machineCheck({ ...asked, large: large.input.checked }) : null;
+    const answer = asked.files.length ? core()?.machineCheck(asked) : null;
     if (answer && "why" in answer) problem.textContent = sayProblem(answer.why);
     else view = answer ?? null;
+    braking.take(view?.axis ?? null);
     names.textContent = files.map(({ name }) => name).join(" · ");
     saving.disabled = !view?.changes;
     printing.disabled = !view;
     render(view ? listOf(view) : nothing, list);
   };
+  function later(): void {
+    clearTimeout(waiting);
+    waiting = window.setTimeout(check, PAUSE);
+  }
   const take = async (chosen: readonly File[]): Promise<void> => {
     const size = chosen.reduce((sum, file) => sum + file.size, 0);
     if (size > LARGEST) {
@@ -163,10 +177,7 @@ export function openMachineCheck(core: () => ProgramCore | null, end: AbortSigna
     files = await Promise.all(chosen.map(async file => ({ name: file.name, text: await textOf(file) })));
     check();
   };
-  on(text, "input", () => {
-    clearTimeout(waiting);
-    waiting = window.setTimeout(check, PAUSE);
-  });
+  on(text, "input", later);
   for (const { input } of [...uses, large]) on(input, "change", check);
   on(opening, "click", () => picker.click());
   on(picker, "change", () => void take([...(picker.files ?? [])]));

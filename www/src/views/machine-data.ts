@@ -247,7 +247,7 @@ function datumRow(datum: MachineField, value: string, problem: string, edit: (va
   const id = entryId(datum.name);
   const taken = ({ target }: Event): void => edit((target as HTMLInputElement | HTMLSelectElement).value);
   const wrong = problem ? "true" : nothing;
-  const about = `${id}-help ${id}-problem`;
+  const about = `${id}-help ${id}-problem${datum.idle ? ` ${id}-idle` : ""}`;
   const entry =
     datum.kind === "choice"
       ? html`<select id=${id} class="choice" aria-describedby=${about} aria-invalid=${wrong} @change=${taken}>
@@ -272,6 +272,7 @@ function datumRow(datum: MachineField, value: string, problem: string, edit: (va
       ${entry}<span class="unit">${unitText(datum.unit)}</span><span class="meta">${limitsText(datum)}</span>
     </div>
     <p class="datum-help" id=${`${id}-help`}>${optional(`${datum.key}.help`)}</p>
+    ${datum.idle ? html`<p class="datum-help datum-idle" id=${`${id}-idle`}>${t("machine-data-idle")}</p>` : nothing}
     <p class="datum-problem" id=${`${id}-problem`} role="alert" ?hidden=${!problem}>${problem}</p>
   </div>`;
 }

@@ -14,6 +14,7 @@ import type { FileStart, OfCall, Outcome, WrittenFile } from "../wire";
 import { createGiven, type Lacks } from "./given";
 import { missing } from "./missing";
 import { offersOf, problem } from "./problem";
+import { openScreen, type ShownScreen, screens } from "./screen";
 import { createWhole, type WholeWays } from "./whole";
 
 // earlier: not written by this call
@@ -187,6 +188,25 @@ function body({ alarms, changes, decisions, results }: Shown, give: Actions["giv
     </div>`;
 }
 
+/** The measuring result screens of the run, each a button that opens it. */
+function screenList(
+  shown: ShownScreen[],
+  files: readonly FileStart[] | undefined,
+  open: (one: ShownScreen) => void,
+): TemplateResult {
+  const name = ({ screen: { cycle, measures }, line }: ShownScreen): string =>
+    [callText(placed(files, { cycle, line })) || cycle, say(measures)].join(" · ");
+  return html`<section class="screen-list" ?hidden=${shown.length === 0}>
+    <h3>${t("outcome-screens", { count: shown.length })}</h3>
+    <ul>
+      ${shown
+        .slice(0, ROWS)
+        .map(one => html`<li><button type="button" @click=${() => open(one)}>${name(one)}</button></li>`)}
+    </ul>
+    <p class="empty" ?hidden=${shown.length <= ROWS}>${t("outcome-more", { count: shown.length - ROWS })}</p>
+  </section>`;
+}
+
 export function createOutcome(
   page: HTMLElement,
   store: Store,
@@ -209,10 +229,13 @@ export function createOutcome(
     const ending = outcome && derived.run ? say(derived.run.ending) : "";
     // each step that is played comes by here, and a long run has a thousand lines
     const all = guard([outcome], () => (outcome ? body(outcome, actions.give) : nothing));
+    const seen = guard([outcome], () =>
+      screenList(screens(state, derived), derived.run?.files, one => openScreen(store, actions, one.screen)),
+    );
     render(
       html`<p class="empty" ?hidden=${!!outcome}>${outcome ? "" : absent(state, derived)}</p>
         <p class="assumed" role="note" ?hidden=${!counted}>${counted}</p>
-        ${all}
+        ${seen}${all}
         <p class="ended" role="note" ?hidden=${!ending}>${ending}</p>`,
       root,
     );

@@ -14,6 +14,7 @@ import { createCube } from "./cube";
 import { createExaggeration } from "./exaggerate";
 import { createLegend, type Thinned } from "./legend";
 import { missing } from "./missing";
+import { createScreen } from "./screen";
 import { type Stage, tool, watchTaken } from "./stage";
 import { createTimeline, paceAt } from "./timeline";
 
@@ -45,10 +46,12 @@ export function createScene(
     store.update({ view: { central: !store.state.view.central } }),
   );
   const timeline = el("div", { class: "timeline", role: "group", "aria-label": t("timeline-scrub") });
+  const screen = createScreen(store, () => timeline.querySelector("input")?.focus());
   const holder = el(
     "div",
     { class: "stage-box" },
     stage.box,
+    screen.root,
     el("div", { class: "stage-cards" }, errors.root, legend.root),
     corner,
     empty,
@@ -93,7 +96,7 @@ export function createScene(
       central,
     );
     preview.onDraw(cube.draw);
-    watchTaken(stage.box, [legend.root, errors.root, corner], preview);
+    watchTaken(stage.box, [legend.root, errors.root, corner, screen.root], preview);
     watchCovered(legend.root, preview.setCovered);
     tools.append(drawing);
     show(note, false);
@@ -119,6 +122,7 @@ export function createScene(
     const { preview, failed } = stage;
     const data = (preview && derived.scene?.(state.view.errors)) ?? NOTHING;
     drawTimeline(state, derived, data.begins);
+    screen.draw(state, derived);
     if (failed) setText(note, t("view-failed", { problem: failed }));
     if (!preview) {
       if (root.offsetParent) stage.fetch();

@@ -90,7 +90,7 @@ export function tool(name: IconName, label: string, run: () => void): HTMLButton
   return button;
 }
 
-/** Tells the preview what covers it, whenever that is another and any of it is seen: two places have the stage in turn. */
+/** Tells the preview what covers it, whenever that changes and is seen at all: two places have the stage in turn. */
 export function watchTaken(stage: HTMLElement, cards: readonly HTMLElement[], preview: Preview): void {
   const sizes = new ResizeObserver(() => {
     const { left, top } = stage.getBoundingClientRect();

@@ -9,6 +9,7 @@ import { SPEEDS, type State } from "../state/state";
 import type { Store } from "../state/store";
 import { t } from "../texts";
 import { lineText } from "./given";
+import { haltAfter } from "./screen";
 import { describe } from "./steps";
 import { clockText, createTrack } from "./track";
 
@@ -129,8 +130,10 @@ export function createTimeline(
     if (lasts) run(began);
     const tick = (): void => {
       if (!store.state.view.playing) return;
-      const next = reached(begins, count, step, Math.min(LATE, performance.now() - began), state.view.speed);
-      go(next, next < count - 1);
+      const far = reached(begins, count, step, Math.min(LATE, performance.now() - began), state.view.speed);
+      const halt = state.view.halts ? haltAfter(state, derived, step) : Number.POSITIVE_INFINITY;
+      const next = Math.min(far, halt);
+      go(next, next < count - 1 && next < halt);
     };
     timer = window.setTimeout(tick, Math.max(FRAME, paceOf(begins, step) / state.view.speed));
   };

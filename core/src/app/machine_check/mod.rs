@@ -3,6 +3,7 @@
 mod changes;
 mod data;
 mod fault;
+mod feeds;
 mod read;
 #[cfg(test)]
 mod tests;
@@ -10,6 +11,7 @@ mod user;
 mod words;
 
 pub use fault::{MachineFault, MachineLimit, MachinePlace};
+pub use feeds::MachineAxis;
 
 use super::Error;
 use crate::control::needs::{NEEDS, Use};
@@ -20,7 +22,7 @@ use read::Exported;
 use serde::{Deserialize, Serialize};
 
 /// What the control exported.
-#[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
 pub struct MachineCheckRequest {
     /// Its files, or what somebody typed, in their order.
@@ -31,6 +33,8 @@ pub struct MachineCheckRequest {
     /// Whether the control is an NCU 3, for which the manual prints larger memories (B:12955, A:14218).
     #[serde(default)]
     pub large: bool,
+    /// Deflection that the probe allows, mm: feeds with a longer braking path are told.
+    pub deflection: Option<f64>,
 }
 
 /// A file that the control exported.
@@ -45,7 +49,7 @@ pub struct ExportedFile {
 
 /// What is wrong with a machine.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
 pub struct MachineCheckView {
     /// What is wrong, the worst first, then in the order of the manual.
     pub faults: Vec<MachineFault>,
@@ -57,6 +61,9 @@ pub struct MachineCheckView {
     pub missing: Vec<String>,
     /// The lines to change, as a control reads them; empty: none.
     pub changes: String,
+    /// The slowest axis, where the files say what its braking path follows from.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub axis: Option<MachineAxis>,
 }
 
 /// Checks a machine by what its control exported.
@@ -75,6 +82,8 @@ pub fn machine_check(asked: MachineCheckRequest) -> Result<MachineCheckView, Err
     let mut faults = fault::odd(&given, &files);
     faults.extend(data::faults(&given, &files, &asked.without, asked.large));
     faults.extend(user::faults(&given, &files, &asked.without));
+    let deflection = asked.deflection.filter(|deflection| *deflection > 0.0);
+    faults.extend(deflection.iter().flat_map(|most| feeds::faults(&given, &files, &asked.without, *most)));
     faults.sort_by_key(|fault| fault.severity); // stable: within a severity the order of the manual
     let count = |severity| faults.iter().filter(|fault| fault.severity == severity).count() as f64;
     let ending = Message::new("machine-check-ending")
@@ -84,7 +93,9 @@ pub fn machine_check(asked: MachineCheckRequest) -> Result<MachineCheckView, Err
         .number("warnings", count(Severity::Warning))
         .number("notes", count(Severity::Note));
     let changes = changes::lines(&faults);
-    Ok(MachineCheckView { ending, read: given.data.len(), missing: missing(&given, &asked.without), changes, faults })
+    let mut missing = missing(&given, &asked.without);
+    missing.extend(deflection.iter().flat_map(|_| feeds::missing(&given)));
+    Ok(MachineCheckView { ending, read: given.data.len(), missing, changes, faults, axis: feeds::axis(&given) })
 }
 
 /// Machine data with an error among their limits that no file gives.

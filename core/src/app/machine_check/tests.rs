@@ -9,7 +9,7 @@ use proptest::prelude::*;
 
 fn asked(text: &str) -> MachineCheckRequest {
     let file = ExportedFile { name: "INITIAL.INI".to_owned(), text: text.to_owned() };
-    MachineCheckRequest { files: vec![file], without: Vec::new(), large: false }
+    MachineCheckRequest { files: vec![file], without: Vec::new(), large: false, deflection: None }
 }
 
 fn check(text: &str) -> MachineCheckView {
@@ -155,6 +155,36 @@ fn a_text_without_data_is_refused_and_lines_that_say_two_things_are_told() {
     assert_eq!(view.faults[0].place.as_ref().map(|place| place.line), Some(3));
     assert!(view.missing.contains(&"MD28082 MM_SYSTEM_FRAME_MASK".to_owned()));
     assert!(!view.missing.iter().any(|name| name.starts_with("MD18118")));
+}
+
+// oracle: manual B:1184-1196 (a, t and Kv of the example), hand (1000 mm/min needs 1.4056 mm, 900 needs 1.2525)
+#[test]
+fn feeds_beyond_the_deflection_are_told_and_mended() {
+    let axis = "MD10050=0.004\nMD10070=4\nMD32300[X1]=1\nMD32300[Z1]=2\nMD32200[0,X1]=1\nMD32200[0,Z1]=1.5\n";
+    let feeds = "_SPEED[1]=1000\n_SPEED[3]=900\n_CHBIT[17]=1\nE_MESS_F=2000\nE_MESS_FM=300\n";
+    let with = |text: &str, deflection| {
+        machine_check(MachineCheckRequest { deflection: Some(deflection), ..asked(text) }).unwrap()
+    };
+    let text = format!("{axis}{feeds}");
+    let slowest = with(&text, 1.0).axis.unwrap();
+    assert_eq!((slowest.delay, slowest.acceleration, slowest.gain), (0.016, 1.0, 1.0));
+    let names = |deflection| with(&text, deflection).faults.into_iter().map(|fault| fault.name).collect::<Vec<_>>();
+    assert_eq!(names(3.1), [""; 0]);
+    assert_eq!(names(2.0), ["E_MESS_F"]);
+    assert_eq!(names(1.3), ["_SPEED[1]", "E_MESS_F"]);
+    assert_eq!(names(1.0), ["_SPEED[1]", "_SPEED[3]", "E_MESS_F"]);
+    let changes = with(&text, 1.0).changes;
+    assert_eq!(changes, "_SPEED[1]=730\n_SPEED[3]=730\nE_MESS_F=730\n");
+    assert_eq!(told(&with(&format!("{axis}{feeds}{changes}"), 1.0)).iter().filter(|one| one.1 == Error).count(), 0);
+    assert_eq!(with(&format!("{axis}{changes}"), 1.0).changes, "");
+    // 39.37 inch/min are 1000 mm/min
+    let inch = with(&format!("{axis}MD10240=0\n_SPEED[1]=39.37"), 1.0);
+    assert_eq!(inch.changes, "_SPEED[1]=28.7\n");
+    // without collision monitoring a touch on the way is not noticed
+    assert_eq!(told(&with(&format!("{axis}_SPEED[1]=1000\n_CHBIT[2]=0"), 1.0)), []);
+    let unknown = with("_SPEED[1]=1000", 1.0);
+    assert!(unknown.faults.is_empty() && unknown.axis.is_none());
+    assert!(unknown.missing.contains(&"MD32300 MAX_AX_ACCEL".to_owned()));
 }
 
 /// A value that misses every limit of a condition.

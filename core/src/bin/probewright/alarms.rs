@@ -27,8 +27,13 @@ pub fn alarms(number: Option<&str>, as_json: bool, words: &Words, out: &mut dyn 
 }
 
 fn explain(told: &Told, words: &Words, out: &mut dyn Write) -> std::io::Result<()> {
-    writeln!(out, "{}: {}", told.code, told.meaning)?;
-    for (key, text) in [
+    write!(out, "{}", explained(told, words))
+}
+
+/// An alarm: its meaning, and below it what else there is to say.
+pub fn explained(told: &Told, words: &Words) -> String {
+    let mut text = format!("{}: {}\n", told.code, told.meaning);
+    for (key, said) in [
         ("terminal-told-cause", told.cause.as_deref().unwrap_or_default()),
         ("terminal-told-cure", &told.cure),
         ("terminal-told-effect", &told.effect),
@@ -36,9 +41,9 @@ fn explain(told: &Told, words: &Words, out: &mut dyn Write) -> std::io::Result<(
         ("terminal-told-found", &told.found),
         ("terminal-told-source", &told.source.to_string()),
     ] {
-        if !text.is_empty() {
-            writeln!(out, "  {:9}  {text}", words.key(key))?;
+        if !said.is_empty() {
+            text += &format!("  {:9}  {said}\n", words.key(key));
         }
     }
-    Ok(())
+    text
 }

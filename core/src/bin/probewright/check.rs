@@ -129,7 +129,12 @@ pub fn severity(severity: Severity) -> &'static str {
 
 /// `error[61307]: cause. cure`, without a place.
 pub fn one_line(finding: &Diagnostic, words: &Words) -> String {
-    let mut line = format!("{}[{}]: ", severity(finding.severity), finding.code);
+    format!("{}[{}]: {}", severity(finding.severity), finding.code, told(finding, words))
+}
+
+/// What a finding says: parameter, cause and cure.
+pub fn told(finding: &Diagnostic, words: &Words) -> String {
+    let mut line = String::new();
     let cause = words.text(&finding.message);
     if let Some(param) = finding.param.filter(|param| !cause.starts_with(param.as_str())) {
         line.push_str(&param);

@@ -60,12 +60,22 @@ pub struct Joined {
 impl Joined {
     /// Reads a program and the files with it.
     pub fn read(path: &Path, with: &[PathBuf], control: Option<file::Control>) -> Result<Joined, Problem> {
-        let source = file::program(path)?;
+        Joined::around(path, file::program(path)?, with, control, &file::program)
+    }
+
+    /// A program whose text is known, with the files around it as `read` gives them.
+    pub fn around(
+        path: &Path,
+        source: Vec<u8>,
+        with: &[PathBuf],
+        control: Option<file::Control>,
+        read: &dyn Fn(&Path) -> Result<Vec<u8>, Problem>,
+    ) -> Result<Joined, Problem> {
         let dialect = file::dialect(control, &source);
         let mut sources = vec![(path.to_owned(), (!with.is_empty()).then(|| source.clone()))];
         let mut joined = joined::Joined::new(dialect, source);
         for path in &every(path, with)? {
-            let source = file::program(path)?;
+            let source = read(path)?;
             joined.add(&name(path), &source);
             sources.push((path.clone(), Some(source)));
         }
@@ -107,9 +117,28 @@ impl Joined {
         part.map_or((None, line), |part| (Some(part.path.display().to_string()), line - part.line))
     }
 
+    /// The file that holds a place of the text, what is in it, and the place there; the program comes first.
+    pub fn place(&self, place: Span) -> Option<(&Path, &[u8], Span)> {
+        let behind = self.parts.partition_point(|part| part.start <= place.start as usize);
+        let part = self.parts.get(behind.saturating_sub(1))?;
+        let start = part.start as u32;
+        let place = Span { start: place.start.checked_sub(start)?, end: place.end.checked_sub(start)? };
+        Some((&part.path, part.source.as_deref().unwrap_or(&self.text), place))
+    }
+
+    /// Whether a place of the text belongs to the program itself.
+    pub fn of_program(&self, place: Span) -> bool {
+        self.parts.get(1).is_none_or(|part| (place.start as usize) < part.start)
+    }
+
     /// Name of the file with the program.
     pub fn name(&self) -> String {
         self.parts.first().map_or_else(String::new, |part| name(&part.path))
+    }
+
+    /// Name and text of each file beside the program.
+    pub fn sources(&self) -> impl Iterator<Item = (String, &[u8])> {
+        self.parts.iter().skip(1).map(|part| (name(&part.path), part.source.as_deref().unwrap_or_default()))
     }
 
     /// The files beside the program.

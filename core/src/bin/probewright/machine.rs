@@ -23,6 +23,8 @@ pub struct Arguments {
     without: Vec<Unused>,
     #[arg(long)]
     ncu3: bool,
+    #[arg(long, value_name = "MM")]
+    deflection: Option<f64>,
     #[arg(long, value_name = "FILE")]
     changes: Option<PathBuf>,
     #[arg(long)]
@@ -47,10 +49,12 @@ pub fn machine(asked: &Arguments, words: &Words, out: &mut dyn Write) -> Result<
     let without = without.collect();
     let mut files = Vec::new();
     for path in &asked.files {
-        let text = String::from_utf8_lossy(&file::program(path)?).into_owned();
+        // an archive may have parts that are no text: the others are read
+        let source = file::program(path).or_else(|_| file::bytes(path))?;
+        let text = String::from_utf8_lossy(&source).into_owned();
         files.push(ExportedFile { name: path.display().to_string(), text });
     }
-    let view = machine_check(MachineCheckRequest { files, without, large: asked.ncu3 });
+    let view = machine_check(MachineCheckRequest { files, without, large: asked.ncu3, deflection: asked.deflection });
     let view = view.map_err(|refused| file::wrong(refused.message))?;
     if let Some(path) = &asked.changes {
         file::write(path, [view.changes.clone()].into_iter())?;

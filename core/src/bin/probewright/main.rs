@@ -1,6 +1,7 @@
 //! Measuring cycles from a terminal: the same catalogue, checks, reader and simulation as the page.
 
 mod alarms;
+mod braking;
 mod check;
 mod cycles;
 mod document;
@@ -10,6 +11,7 @@ mod help;
 mod jog;
 mod joined;
 mod log;
+mod lsp;
 mod machine;
 mod progress;
 mod protocol;
@@ -62,6 +64,8 @@ enum Command {
     Test(test::Arguments),
     Jog(jog::Arguments),
     Machine(machine::Arguments),
+    Braking(braking::Arguments),
+    Lsp,
 }
 
 fn main() -> ExitCode {
@@ -72,7 +76,7 @@ fn main() -> ExitCode {
         Err(problem) => (Words::english(), Err(problem)),
     };
     let result = known
-        .and_then(|()| run_command(command, &words, &mut out))
+        .and_then(|()| run_command(command, lang.as_deref(), &words, &mut out))
         .and_then(|code| out.flush().map(|()| code).map_err(Problem::from));
     match result {
         Ok(code) => code,
@@ -99,7 +103,7 @@ fn words(asked: Option<&str>) -> Result<Words, Problem> {
     })
 }
 
-fn run_command(command: Command, words: &Words, out: &mut dyn Write) -> Result<ExitCode, Problem> {
+fn run_command(command: Command, lang: Option<&str>, words: &Words, out: &mut dyn Write) -> Result<ExitCode, Problem> {
     match command {
         Command::Alarms { number, json } => alarms::alarms(number.as_deref(), json, words, out),
         Command::Explain { name, variant } => explain::explain(&name, variant, words, out),
@@ -111,7 +115,10 @@ fn run_command(command: Command, words: &Words, out: &mut dyn Write) -> Result<E
         Command::Series(asked) => series::series(&asked, words, out),
         Command::Test(asked) => test::test(&asked, words, out),
         Command::Jog(asked) => jog::jog(&asked, words, out),
+        Command::Braking(asked) => braking::braking(&asked, words, out),
         Command::Machine(asked) => machine::machine(&asked, words, out),
+        // words of its own: the client may ask for another language
+        Command::Lsp => lsp::serve(self::words(lang)?, out),
     }
 }
 

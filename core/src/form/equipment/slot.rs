@@ -70,7 +70,7 @@ impl<'a> Slot<'a> {
             Held::Text(_) => (Entry::Text, ""),
         };
         let (name, key) = (self.key.to_owned(), self.key.to_owned());
-        Setting { name, key, field: None, entry, unit, range: self.range, source: Cited(self.source) }
+        Setting { name, key, field: None, entry, unit, range: self.range, source: Cited(self.source), idle: false }
     }
 
     /// The field as it is shown.

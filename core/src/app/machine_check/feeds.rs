@@ -1,0 +1,99 @@
+//! Feeds of the data against the deflection that the probe allows.
+
+use super::fault::{Files, MachineFault, identified};
+use super::read::{Exported, shown};
+use crate::control::braking::Braking;
+use crate::control::needs::Use;
+use crate::control::{Value, arrays, gud};
+use crate::diagnostic::Severity;
+use crate::message::Message;
+use serde::Serialize;
+
+/// Feeds at which the probe may touch: the datum, the switch without which it does not, as delivered, and the place.
+/// With collision monitoring a touch on the way stops the axes too (B:13751-13763).
+const FEEDS: [(&str, &str, f64, &str); 7] = [
+    ("_SPEED[1]", "_CHBIT[2]", 1.0, "B:13751-13763;B:1143-1161"),
+    ("_SPEED[2]", "_CHBIT[2]", 1.0, "B:13751-13763;B:1143-1161"),
+    ("_SPEED[3]", "_CHBIT[17]", 0.0, "B:13772;B:14013;B:1143-1161"),
+    ("E_MESS_FM", "", 1.0, "B:14178;B:1143-1161"),
+    ("E_MESS_F", "", 1.0, "B:14179;B:1143-1161"),
+    ("E_MESS_FZ", "", 1.0, "B:14180;B:1143-1161"),
+    ("E_MESS_MT_FM", "", 1.0, "B:14198;B:1143-1161"),
+];
+
+/// Data from which the braking path follows: of the axes the lowest (B:1149-1161).
+const AXIS: [&str; 4] = ["MD10050", "MD10070", "MD32300", "MD32200"];
+
+/// What the export says of the slowest axis.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct MachineAxis {
+    /// From the signal to the braking command, s.
+    pub delay: f64,
+    /// Lowest deceleration, m/s².
+    pub acceleration: f64,
+    /// Lowest servo gain, (m/min)/mm.
+    pub gain: f64,
+}
+
+/// The slowest axis of the export; none: something of it is not given, or no axis has it.
+pub fn axis(given: &Exported) -> Option<MachineAxis> {
+    let lowest = |number: &str| {
+        let all = given.data.iter().filter(|((name, _), _)| arrays::stem(name) == number);
+        let numbers =
+            all.filter_map(|(_, given)| if let Value::Number(value) = given.value { Some(value) } else { None });
+        numbers.min_by(f64::total_cmp)
+    };
+    let [clock, ratio, acceleration, gain] = AXIS.map(lowest);
+    let axis = MachineAxis { delay: clock? * ratio?, acceleration: acceleration?, gain: gain? };
+    braking(axis).possible().then_some(axis)
+}
+
+fn braking(axis: MachineAxis) -> Braking {
+    Braking { delay: axis.delay, acceleration: axis.acceleration, gain: axis.gain }
+}
+
+/// Data of the axis that no file gives.
+pub fn missing(given: &Exported) -> Vec<String> {
+    let there = |number: &str| given.data.keys().any(|(name, _)| arrays::stem(name) == number);
+    AXIS.into_iter().filter(|number| !there(number)).map(identified).collect()
+}
+
+/// Feeds whose braking path is longer than the deflection, mm.
+pub fn faults(given: &Exported, files: &Files, without: &[Use], deflection: f64) -> Vec<MachineFault> {
+    let Some(braking) = axis(given).map(braking) else { return Vec::new() };
+    let mut found: Vec<MachineFault> = Vec::new();
+    for channel in given.channels() {
+        for (name, switch, as_delivered, source) in FEEDS {
+            let of_jog = name.starts_with("E_MESS");
+            let watched = switch.is_empty() || given.number(switch, channel).unwrap_or(as_delivered) == 1.0;
+            let (Some(datum), Some(feed)) = (given.get(name, channel), given.number(name, channel)) else { continue };
+            if !watched || of_jog && without.contains(&Use::Jog) {
+                continue;
+            }
+            // the data of JOG are metric in every system (B:14250)
+            let inch = !of_jog && given.number("MD10240", channel) == Some(0.0);
+            let (unit, step) = if inch { (25.4, 10.0) } else { (1.0, 1.0) };
+            let path = braking.parts(feed * unit).sum();
+            if path.is_nan() || path <= deflection {
+                continue;
+            }
+            let largest = (braking.feed(deflection) / unit * step).floor() / step;
+            let message = Message::new("machine-check-braking")
+                .number("feed", feed)
+                .number("path", (path * 1000.0).round() / 1000.0)
+                .number("deflection", deflection)
+                .number("largest", largest);
+            let own = gud::named(name).is_some_and(|gud| gud.channel);
+            let fault = MachineFault::new(Severity::Warning, name, message, source)
+                .channel(if own { channel } else { 0 })
+                .value(shown(&datum.value))
+                .at(Some(files.told(datum.place)));
+            let fault = if largest > 0.0 { fault.mended(largest) } else { fault };
+            if !found.contains(&fault) {
+                found.push(fault);
+            }
+        }
+    }
+    found
+}

@@ -1,0 +1,222 @@
+//! What can be written at a place: cycles, parameters of the call that it reaches, values of a parameter.
+
+use super::known::{Document, Known};
+use lsp_types::{CompletionItem, CompletionItemKind, CompletionTextEdit, Position, Range, TextEdit};
+use probewright_core::catalogue::CYCLES;
+use probewright_core::dialect::Dialect;
+use probewright_core::entry::{Arg, Cycle};
+use probewright_core::form::{Choice, Entry, Field, Group};
+use probewright_core::message::Message;
+use probewright_core::program::calls::CallSite;
+use probewright_core::words::Words;
+
+/// What is being written, up to the place.
+enum Begun<'a> {
+    /// A value of a parameter: its name, and what of the value is there.
+    Value(&'a str, &'a str),
+    /// An argument in brackets: what is called, how many stand before it, what of it is there.
+    Argument(&'a str, usize, &'a str),
+    /// A name.
+    Name(&'a str),
+}
+
+/// What can be written at a position.
+pub fn at(document: &Document, known: &Known, at: Position, words: &Words) -> Vec<CompletionItem> {
+    let (before, byte) = document.text.before(at);
+    let by_address = known.program.dialect == Dialect::Nct;
+    if in_comment(before, by_address) {
+        return Vec::new();
+    }
+    let begun = begun(before);
+    let (Begun::Value(_, typed) | Begun::Argument(.., typed) | Begun::Name(typed)) = begun;
+    let start = document.text.position(byte - typed.len());
+    let make = Make { range: Range::new(start, at), words };
+    let next = known.next(byte as u32);
+    let mut items = match begun {
+        Begun::Value(name, _) => values(known, next, name, &make),
+        Begun::Argument(called, place, _) => argument(known, byte as u32, called, place, &make),
+        Begun::Name(_) => names(known, next, byte as u32, &make),
+    };
+    for (at, item) in items.iter_mut().enumerate() {
+        item.sort_text = Some(format!("{at:05}"));
+    }
+    items
+}
+
+fn in_comment(before: &str, by_address: bool) -> bool {
+    let (mut text, mut comment) = (false, false);
+    for one in before.chars() {
+        match one {
+            '"' if !comment && !by_address => text = !text,
+            ';' if !text && !by_address => comment = true,
+            '(' if by_address => comment = true,
+            ')' if by_address => comment = false,
+            _ => {}
+        }
+    }
+    comment || text
+}
+
+fn begun(before: &str) -> Begun<'_> {
+    let of_name = |one: char| one.is_alphanumeric() || "_$#[],.".contains(one);
+    if let Some((called, inside)) = open_call(before) {
+        let typed = inside.rsplit(',').next().unwrap_or_default().trim_start();
+        return Begun::Argument(called, inside.matches(',').count(), typed);
+    }
+    let typed = last(before, |one| of_name(one) || "-+".contains(one));
+    let rest = before.get(..before.len() - typed.len()).unwrap_or_default();
+    match rest.trim_end().strip_suffix('=') {
+        Some(left) => Begun::Value(last(left.trim_end(), of_name), typed),
+        None => Begun::Name(last(before, of_name)),
+    }
+}
+
+/// The end of a text that is made of these characters.
+fn last(text: &str, of: impl Fn(char) -> bool) -> &str {
+    let length: usize = text.chars().rev().take_while(|one| of(*one)).map(char::len_utf8).sum();
+    text.get(text.len() - length..).unwrap_or_default()
+}
+
+/// The call whose brackets are open, and what stands in them.
+fn open_call(before: &str) -> Option<(&str, &str)> {
+    let mut depth = 0;
+    let open = before.char_indices().rev().find(|(_, one)| {
+        depth += i32::from(*one == ')') - i32::from(*one == '(');
+        depth < 0
+    });
+    let (head, inside) = before.split_at_checked(open?.0)?;
+    Some((last(head, |one| one.is_alphanumeric() || one == '_'), inside.get(1..)?))
+}
+
+/// Makes items.
+struct Make<'a> {
+    range: Range,
+    words: &'a Words,
+}
+
+impl Make<'_> {
+    fn item(&self, label: &str, insert: &str, kind: CompletionItemKind, detail: String) -> CompletionItem {
+        let edit = TextEdit { range: self.range, new_text: insert.to_owned() };
+        CompletionItem {
+            label: label.to_owned(),
+            kind: Some(kind),
+            detail: Some(detail),
+            filter_text: Some(insert.to_owned()),
+            text_edit: Some(CompletionTextEdit::Edit(edit)),
+            ..CompletionItem::default()
+        }
+    }
+
+    fn choice(&self, value: i64, detail: String) -> CompletionItem {
+        let text = value.to_string();
+        self.item(&text, &text, CompletionItemKind::ENUM_MEMBER, detail)
+    }
+
+    fn choices(&self, choices: &[Choice]) -> Vec<CompletionItem> {
+        choices.iter().map(|one| self.choice(one.value, self.words.text(&one.label))).collect()
+    }
+
+    /// The number with each choice of each of its groups of digits.
+    fn digits(&self, number: i64, groups: &[Group]) -> Vec<CompletionItem> {
+        let mut items: Vec<CompletionItem> = Vec::new();
+        for group in groups {
+            let label = self.words.text(&group.label);
+            for (at, choice) in group.choices.iter().enumerate() {
+                let led = group.leads.get(at).copied();
+                let value = led.unwrap_or_else(|| number + (choice.value - group.value).saturating_mul(group.place));
+                let text = self.words.text(&choice.label);
+                if !items.iter().any(|item| item.label == value.to_string()) {
+                    items.push(self.choice(value, format!("{label}: {text}")));
+                }
+            }
+        }
+        items
+    }
+
+    /// A cycle by its name.
+    fn cycle(&self, cycle: &Cycle) -> CompletionItem {
+        let title = self.words.key(format!("{}-title", cycle.key));
+        self.item(cycle.name, cycle.name, CompletionItemKind::FUNCTION, title)
+    }
+}
+
+/// The values that a parameter of a call can have; before any call, the variants of every cycle.
+fn values(known: &Known, next: Option<&CallSite>, name: &str, make: &Make) -> Vec<CompletionItem> {
+    let Some(site) = next else { return variants(known, name, make) };
+    let fields = known.fields(site);
+    let field = fields.iter().find(|field| field.name.eq_ignore_ascii_case(name));
+    let variants = || (site.cycle.variant_param()?.eq_ignore_ascii_case(name)).then(|| of_cycle(site.cycle, make));
+    variants().unwrap_or_else(|| field.map_or_else(Vec::new, |field| of_field(field, site, make)))
+}
+
+fn of_field(field: &Field, site: &CallSite, make: &Make) -> Vec<CompletionItem> {
+    let number = site.values.get(&*field.name).and_then(|text| text.trim().parse::<f64>().ok());
+    match &field.entry {
+        Entry::Choice { choices } => make.choices(choices),
+        Entry::Digits { digits } => make.digits(number.unwrap_or(0.0) as i64, digits),
+        _ => Vec::new(),
+    }
+}
+
+fn of_cycle(cycle: &Cycle, make: &Make) -> Vec<CompletionItem> {
+    cycle.variants.iter().map(|one| make.choice(one.number, make.words.key(one.key))).collect()
+}
+
+fn variants(known: &Known, name: &str, make: &Make) -> Vec<CompletionItem> {
+    let numbered = |cycle: &&&Cycle| {
+        let variant = cycle.variant_param().is_some_and(|param| param.eq_ignore_ascii_case(name));
+        cycle.dialect == known.program.dialect && variant
+    };
+    let mut items = Vec::new();
+    for cycle in CYCLES.iter().filter(numbered) {
+        items.extend(of_cycle(cycle, make).into_iter().map(|item| {
+            let detail = item.detail.map(|detail| format!("{}: {detail}", cycle.name));
+            CompletionItem { detail, ..item }
+        }));
+    }
+    items
+}
+
+/// What an argument in brackets can be, by the lists of the cycles.
+fn argument(known: &Known, at: u32, called: &str, place: usize, make: &Make) -> Vec<CompletionItem> {
+    let site = known.call(at).or_else(|| known.next(at));
+    let of_dialect = CYCLES.iter().filter(|cycle| cycle.dialect == known.program.dialect);
+    let mut lists = of_dialect.flat_map(|cycle| cycle.lists.iter().map(move |list| (cycle, list)));
+    let found = lists.find(|(cycle, list)| {
+        list.name.eq_ignore_ascii_case(called) && site.is_none_or(|site| site.cycle.name == cycle.name)
+    });
+    match found.and_then(|(_, list)| list.args.get(place)) {
+        Some(Arg::Param(name) | Arg::Down(name)) => values(known, site, name, make),
+        Some(Arg::Select(choices)) => choices.iter().map(|(number, _)| make.choice(*number, String::new())).collect(),
+        Some(Arg::Is(number)) => vec![make.choice(*number, called.to_owned())],
+        _ => Vec::new(),
+    }
+}
+
+/// The parameters of the call that the place reaches, those first that it requires and does not have yet; the cycles.
+fn names(known: &Known, next: Option<&CallSite>, at: u32, make: &Make) -> Vec<CompletionItem> {
+    let by_address = known.program.dialect == Dialect::Nct;
+    let cycles = CYCLES.iter().filter(|cycle| cycle.dialect == known.program.dialect);
+    let cycles = cycles.map(|cycle| make.cycle(cycle));
+    let near = next.filter(|site| !by_address || known.program.line_of(at) == site.line);
+    let mut items = Vec::new();
+    if let Some(site) = near {
+        let mut fields = known.fields(site);
+        let given = |field: &Field| site.values.contains_key(&*field.name);
+        fields.retain(|field| !by_address || !given(field));
+        fields.sort_by_key(|field| (given(field), !field.required));
+        items.extend(fields.iter().map(|field| parameter(field, by_address, make)));
+    }
+    items.extend(cycles);
+    items
+}
+
+fn parameter(field: &Field, by_address: bool, make: &Make) -> CompletionItem {
+    let insert = format!("{}{}", field.name, if by_address { "" } else { "=" });
+    let unit = if field.unit.is_empty() { String::new() } else { format!(" ({})", field.unit) };
+    let label = make.words.text(&field.label);
+    let item = make.item(&field.name, &insert, CompletionItemKind::FIELD, label + &unit);
+    let help = [Message::clone(&field.help), Message::clone(&field.reason)];
+    let told: Vec<String> = help.iter().filter_map(|one| make.words.find(one)).collect();
+    CompletionItem { documentation: Some(lsp_types::Documentation::String(told.join("\n"))), ..item }
+}
