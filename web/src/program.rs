@@ -86,6 +86,24 @@ pub fn certainty(request: &str) -> Result<String, JsError> {
     Ok(json::answer(request, app::certainty)?)
 }
 
+/// `SeriesRequest` → `SeriesView`: runs a program many times, and says on the way how far it is, as `read` does.
+///
+/// # Errors
+/// A request of the wrong shape, or a series that cannot be.
+#[wasm_bindgen]
+pub fn series(request: &str) -> Result<String, JsError> {
+    Ok(json::answer(request, |asked| app::series_of(asked, &mut |share| tell(share)))?)
+}
+
+/// `SeriesRequest` → `SeriesStart`: what its fields hold at first.
+///
+/// # Errors
+/// A request of the wrong shape, or a machine that cannot be.
+#[wasm_bindgen]
+pub fn series_start(request: &str) -> Result<String, JsError> {
+    Ok(json::answer(request, app::series_start)?)
+}
+
 /// An answer, and what is to be seen of it.
 #[wasm_bindgen]
 pub struct Answer {
@@ -202,7 +220,7 @@ impl Held {
         Held(self.0.clone())
     }
 
-    /// What the function of this name says of this text: `read`, `change`, `convert`, `cure` or `equip`.
+    /// What the function of this name says of this text: `read`, `change`, `convert`, `cure`, `equip` or `series`.
     ///
     /// # Errors
     /// Another name, a request of the wrong shape, or what the function itself refuses.
@@ -216,6 +234,9 @@ impl Held {
             "convert" => json::answer(request, |asked| app::convert(app::ConvertRequest { text, ..asked })),
             "cure" => json::answer(request, |asked| app::cure(app::CureRequest { text, ..asked })),
             "equip" => json::answer(request, |asked| app::equip(app::EquipRequest { text, ..asked })),
+            "series" => json::answer(request, |asked| {
+                app::series_of(app::SeriesRequest { text, ..asked }, &mut |share| tell(share))
+            }),
             _ => return Err(JsError::new(what)),
         };
         Ok(answer?)

@@ -344,6 +344,18 @@ export type CallView = {
   arrivals: Array<Diagnostic>,
 };
 
+/** Capability of a process that is normal, with intervals of 95 %. */
+export type Capability = {
+  /** `(TU − TL)/(6s)`: by its spread alone. */
+  cp: number,
+  /** `min(TU − x̄, x̄ − TL)/(3s)`: also by where its mean lies. */
+  cpk: number,
+  /** Where the first lies with 95 % confidence, by chi-square. */
+  cpInterval: [number, number],
+  /** Where the second does (A. F. Bissell, Applied Statistics 39, 1990). */
+  cpkInterval: [number, number],
+};
+
 /** What came of a case. */
 export type CaseView = {
   /** What it is called. */
@@ -2760,6 +2772,198 @@ export type Series = {
   vary: Array<Vary>,
 };
 
+/** An alarm over all runs. */
+export type SeriesAlarm = {
+  /** In how many runs it came. */
+  count: number,
+  /** Share of all runs. */
+  share: number,
+  /** Standard error of this share. */
+  error: number,
+  /** Name of the alarm; empty: none of the control. */
+  code: string,
+  /** What it says. */
+  message: Message,
+  /** What helps. */
+  hint?: Message,
+  /** Whether it stops the program. */
+  stops: boolean,
+  /** What the machine lacks, each a fix. */
+  offers?: Array<Offer>,
+};
+
+/** A measuring call over all runs. */
+export type SeriesCall = {
+  /** What is measured, in words. */
+  feature: Message,
+  /** What was measured, the most important first. */
+  measured: Array<SeriesFigure>,
+  /** What was corrected. */
+  corrected: Array<SeriesCorrection>,
+  /** What followed, with the share of the runs. */
+  verdicts: Array<SeriesShare>,
+  /** In production: what would have followed had no part been corrected. */
+  uncorrected?: Array<SeriesShare>,
+  /** Mean and empirical value after each run, where the call has a memory for them. */
+  memories?: Array<SeriesMemory>,
+  /** Line of the call, from 1. */
+  line?: number,
+  /** Cycle that is called. */
+  cycle?: string,
+};
+
+/** A datum that was corrected. */
+export type SeriesCorrection = {
+  /** Frame, tool or register. */
+  target: Message,
+  /** Axis, length or radius: `X`, `L1`, `R`. */
+  part: string,
+  /** Unit of the correction. */
+  unit: string,
+  /** By how much in each of the first 1000 runs; 0: not at all. */
+  course: Array<number>,
+  /** How many. */
+  count: number,
+  /** Mean. */
+  mean: number,
+  /** Its standard error. */
+  meanError: number,
+  /** Standard deviation. */
+  deviation: number,
+  /** Its standard error. */
+  deviationError: number,
+  /** The smallest. */
+  min: number,
+  /** 2.5 % are smaller. */
+  low: number,
+  /** Half are smaller. */
+  median: number,
+  /** 2.5 % are larger. */
+  high: number,
+  /** The largest. */
+  max: number,
+};
+
+/** A program with its series, on a machine of its own. */
+export type SeriesExample = {
+  /** Control. */
+  control: Dialect,
+  /** The program. */
+  text: string,
+  /** Its series. */
+  series: Series,
+};
+
+/** A quantity over all runs, in its unit. */
+export type SeriesFigure = {
+  /** The result that has its actual value: `_OVR[4]`. */
+  name: string,
+  /** Meaning of the result. */
+  label: Message,
+  /** Unit at the call. */
+  unit: string,
+  /** How many lie in each of 20 intervals from the smallest to the largest. */
+  histogram: Array<number>,
+  /** Smallest and largest deviation that is permitted; absent: nothing limits it. */
+  limits?: [number, number],
+  /** How well the values hold these limits. */
+  capability?: Capability,
+  /** Setpoint at the call; absent: there is none. */
+  set?: number,
+  /** The actual value in each of the first 1000 runs; null: nothing was measured. */
+  course: Array<number | null>,
+  /** How many. */
+  count: number,
+  /** Mean. */
+  mean: number,
+  /** Its standard error. */
+  meanError: number,
+  /** Standard deviation. */
+  deviation: number,
+  /** Its standard error. */
+  deviationError: number,
+  /** The smallest. */
+  min: number,
+  /** 2.5 % are smaller. */
+  low: number,
+  /** Half are smaller. */
+  median: number,
+  /** 2.5 % are larger. */
+  high: number,
+  /** The largest. */
+  max: number,
+};
+
+/** A memory of the control over the first runs. */
+export type SeriesMemory = {
+  /** As a program would name it: `_MV[0]`. */
+  name: string,
+  /** Whether it is a mean value, else an empirical value. */
+  mean: boolean,
+  /** Its value after each of the first 1000 runs, mm, as stored. */
+  course: Array<number>,
+};
+
+/** A program to be run many times. */
+export type SeriesRequest = {
+  /** Control. */
+  control: Dialect,
+  /** Text of the program. */
+  text: ProgramText,
+  /** Machine; absent: the core's own as it is. */
+  setup?: Machine,
+  /** Which program of the text is run, by its name; absent: the first. */
+  program?: string,
+  /** Files beside the program; absent: none. */
+  with?: Array<Beside>,
+  /** How often, and what varies; absent: what the machine says. */
+  series?: Series,
+  /** Whether the machine is that of the example; absent: no. */
+  example?: boolean,
+};
+
+/** Share of the runs in which something happened. */
+export type SeriesShare = {
+  /** What. */
+  verdict: Verdict,
+  /** In words. */
+  words: Message,
+  /** In how many runs. */
+  count: number,
+  /** Share of all runs. */
+  share: number,
+  /** Standard error of this share. */
+  error: number,
+};
+
+/** What a series begins with. */
+export type SeriesStart = {
+  /** That of the machine. */
+  series: Series,
+  /** What can vary of its probe and parts. */
+  names: Array<string>,
+  /** How to choose the limits of a correction, a paragraph each. */
+  help: Array<Message>,
+  /** The example of the manual. */
+  example: SeriesExample,
+};
+
+/** How the results of a program spread over many runs. */
+export type SeriesView = {
+  /** How many runs. */
+  runs: number,
+  /** Seed of all random numbers: the same seed gives the same results. */
+  seed: number,
+  /** Whether a run found what the one before it left. */
+  mode: Mode,
+  /** How many runs reached the end of the program. */
+  finished: number,
+  /** The measuring calls, in order. */
+  calls: Array<SeriesCall>,
+  /** Alarms and operator messages, each with the share of the runs in which it came. */
+  alarms: Array<SeriesAlarm>,
+};
+
 /**
  * Machine, probe and part that a program runs on. Lengths in mm, angles in degree, feeds in mm/min, except in `data`,
  * where a number means what it means on the control: on an inch machine most lengths are inches. Unknown members are
@@ -3224,6 +3428,8 @@ export type Vary = {
   drift?: number,
   /** How often it is drawn. */
   per?: Per,
+  /** Added as well, one after the other from part to part, from the first again: a series as it was measured. */
+  values?: Array<number>,
   /**
    * In production, how much of a correction reaches the next part: by variable, what one unit more of it adds here.
    * A hole that is cut with T20 D1 gets smaller by twice the wear of the radius: `{ "$TC_DP15[20,1]": -2 }`.

@@ -11,3 +11,8 @@ series-no-alarm = Kein Alarm in { $runs } Läufen: mit 95 % Sicherheit weniger a
 certainty-touch = Wiederholgenauigkeit des Messtasters
 certainty-calibration = Kalibrierung des Messtasters
 certainty-form = Formfehler des Werkstücks
+
+series-choose-order = Wählen Sie _TZL < _TMV < Toleranzgrenzen < _TDIF < _TSA. Dann trifft jede Abweichung auf die Grenze, die für sie gedacht ist.
+series-choose-tzl = _TZL, Nullkorrektur: größer als die Streuung von Messung und Prozess. Darunter wird nichts korrigiert, nur der Mittelwert läuft weiter.
+series-choose-tmv = _TMV: etwa zwei Drittel der Toleranz. Eine größere Abweichung wird sofort und ganz korrigiert und löscht den Mittelwertspeicher.
+series-choose-k = _K, Wichtungsfaktor: 1 korrigiert jede Abweichung über _TZL ganz und folgt dem Zufall. 3 bis 10 folgen einem Trend langsamer, und ein einzelnes Teil verstellt das Werkzeug nicht.

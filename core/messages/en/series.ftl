@@ -11,3 +11,8 @@ series-no-alarm = No alarm in { $runs } runs: less than { $most } % with 95 % co
 certainty-touch = repeatability of the probe
 certainty-calibration = calibration of the probe
 certainty-form = form error of the part
+
+series-choose-order = Choose _TZL < _TMV < tolerance limits < _TDIF < _TSA. Then each deviation meets the limit that is meant for it.
+series-choose-tzl = _TZL, zero compensation area: set it above the scatter of measurement and process. Below it nothing is corrected, only the mean value goes on.
+series-choose-tmv = _TMV: about two thirds of the tolerance. A larger deviation is corrected at once and whole, and empties the mean value memory.
+series-choose-k = _K, weight of the mean value: 1 corrects each deviation above _TZL whole and follows chance. 3 to 10 follow a trend more slowly and keep single parts from moving the tool.

@@ -87,7 +87,8 @@ pub use scenario::{
     noted, scenario,
 };
 pub use series::{
-    SeriesAlarm, SeriesCall, SeriesCorrection, SeriesFigure, SeriesShare, SeriesSpread, SeriesView, series, series_csv,
+    SeriesAlarm, SeriesCall, SeriesCorrection, SeriesExample, SeriesFigure, SeriesMemory, SeriesRequest, SeriesShare,
+    SeriesSpread, SeriesStart, SeriesView, series, series_csv, series_of, series_start,
 };
 pub use start::{Beginning, Machine, OwnMachine};
 pub use story::{Story, story};

@@ -49,6 +49,7 @@ impl Setup {
             within(&path.member("half"), vary.half, [0.0, LIMIT])?;
             small(&path.member("mean"), &[vary.mean])?;
             small(&path.member("drift"), &[vary.drift])?;
+            small(&path.member("values"), &vary.values)?;
             let follows = path.member("follows");
             vary.follows.iter().try_for_each(|(name, factor)| small(&follows.member(name), &[*factor]))?;
         }

@@ -72,6 +72,10 @@ pub struct Vary {
     #[serde(default)]
     #[cfg_attr(test, ts(as = "Option<Per>"))]
     pub per: Per,
+    /// Added as well, one after the other from part to part, from the first again: a series as it was measured.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(test, ts(optional, as = "Option<Vec<f64>>"))]
+    pub values: Vec<f64>,
     /// In production, how much of a correction reaches the next part: by variable, what one unit more of it adds here.
     /// A hole that is cut with T20 D1 gets smaller by twice the wear of the radius: `{ "$TC_DP15[20,1]": -2 }`.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]

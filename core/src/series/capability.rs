@@ -9,6 +9,7 @@ use serde::Serialize;
 /// Capability of a process that is normal, with intervals of 95 %.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Capability {
     /// `(TU − TL)/(6s)`: by its spread alone.
     pub cp: f64,

@@ -40,7 +40,8 @@ pub fn machine(setup: &Setup, series: &Series, run: u32, left: Option<&Control>)
             now - before
         };
         let followed: f64 = vary.follows.iter().map(|(name, factor)| factor * corrected(name)).sum();
-        add(&mut made, &vary.what, vary.mean + vary.drift * f64::from(run) + drawn + followed);
+        let listed = run.checked_rem(vary.values.len() as u32).map_or(0.0, |at| vary.values[at as usize]);
+        add(&mut made, &vary.what, vary.mean + vary.drift * f64::from(run) + drawn + listed + followed);
     }
     scatter(&mut made, series.seed, run);
     made
@@ -80,6 +81,16 @@ pub fn known(setup: &Setup) -> Result<(), Refused> {
         }
     }
     Ok(())
+}
+
+/// What can vary of probe and parts of this machine, by its name in the setup file.
+pub fn names(setup: &Setup) -> Vec<String> {
+    const ERRORS: [&str; 9] =
+        ["size", "shift[0]", "shift[1]", "shift[2]", "tilt[0]", "tilt[1]", "tilt[2]", "taper", "outOfRound[0]"];
+    const PROBE: [&str; 7] = ["radius", "length", "delay", "skew[0]", "skew[1]", "preTravel[0]", "preTravel[1]"];
+    let solids = 0..setup.workpiece.solids.len();
+    let errors = solids.flat_map(|at| ERRORS.map(|name| format!("workpiece[{at}].errors.{name}")));
+    errors.chain(PROBE.map(|name| format!("probe.{name}"))).collect()
 }
 
 /// Adds to a member of the setup; false: there is none of this name.
@@ -177,6 +188,20 @@ mod tests {
         assert!((fourth.workpiece.solids[0].errors.size - 0.003).abs() < 1e-15);
         assert_eq!(first.probe.radius, fourth.probe.radius);
         assert_ne!(first.probe.radius, setup.probe.radius);
+    }
+
+    // oracle: definition: what is named can vary; hand: a list comes from the first again
+    #[test]
+    fn what_is_named_varies_also_by_a_list() {
+        let (mut setup, series) = part(Vec::new());
+        let varied: Vec<Vary> = names(&setup).iter().map(|name| vary(name)).collect();
+        assert_eq!(varied.len(), 16);
+        setup.series = Series { vary: varied, ..series.clone() };
+        known(&setup).unwrap();
+        let listed = Vary { sigma: 0.0, values: vec![0.03, 0.05], ..vary("workpiece[0].errors.size") };
+        let series = Series { vary: vec![listed], ..series };
+        let sizes = [0, 1, 2].map(|run| machine(&setup, &series, run, None).workpiece.solids[0].errors.size);
+        assert_eq!(sizes, [0.03, 0.05, 0.03]);
     }
 
     // oracle: hand: 0.01 mm more wear of the radius makes a hole smaller by 0.02 mm

@@ -37,6 +37,8 @@ import type {
   Recognised,
   RunRecord,
   RunRequest,
+  SeriesRequest,
+  SeriesStart,
   Setup,
   Story,
   Style,
@@ -80,6 +82,9 @@ export interface CertaintyQuestion {
   asked: string;
 }
 
+/** A program to be run many times. */
+export type SeriesQuestion = SeriesRequest;
+
 /** What is asked aside: about a whole program, or how certain a measurement is. */
 export type Question =
   | ({ ask: "read" } & ReadRequest)
@@ -88,6 +93,7 @@ export type Question =
   | ({ ask: "cure" } & CureRequest)
   | ({ ask: "equip" } & SupplyRequest)
   | ({ ask: "certainty" } & CertaintyQuestion)
+  | ({ ask: "series" } & SeriesQuestion)
   | ({ ask: "run" } & RunQuestion);
 
 /** What came of a session of measuring in JOG, and what is to be seen of it. */
@@ -109,6 +115,8 @@ export interface ProgramCore extends FormCore {
   braking(request: BrakingRequest): BrakingView | { why: string };
   /** `why`: nothing of it can be checked. */
   machineCheck(request: MachineCheckRequest): MachineCheckView | { why: string };
+  /** What a series begins with; `why`: the machine cannot be. */
+  seriesStart(request: SeriesQuestion): SeriesStart | { why: string };
   equip(request: EquipRequest): EquipView;
   story(request: FormRequest): Story;
   practise(request: PracticeRequest): Practised;
@@ -160,7 +168,7 @@ function changes(
 }
 
 /** A question about a program that is answered at once; a run is answered in pieces. */
-export type AtOnce = Exclude<Question, { ask: "run" | "certainty" }>;
+export type AtOnce = Exclude<Question, { ask: "run" | "certainty" | "series" }>;
 
 /** The answer as JSON text, so that a worker can hand it over as it is; about the text in the module, if one is. */
 export function answer(question: Exclude<Question, { ask: "run" }>, held: Held | null = null): string {
@@ -298,6 +306,7 @@ export async function loadProgramCore(): Promise<ProgramCore> {
     story: request => JSON.parse(call("story", () => wasm.story(JSON.stringify(request)))) as Story,
     braking: request => orWhy<BrakingView>(() => wasm.braking(JSON.stringify(request))),
     machineCheck: request => orWhy<MachineCheckView>(() => wasm.machine_check(JSON.stringify(request))),
+    seriesStart: request => orWhy<SeriesStart>(() => wasm.series_start(JSON.stringify(request))),
     machine: request => JSON.parse(call("machine", () => wasm.machine(JSON.stringify(request)))) as MachineView,
     catalogue: () => JSON.parse(call("catalogue", () => wasm.catalogue())) as Catalogue,
     alarms: () => JSON.parse(call("alarms", () => wasm.alarms())) as AlarmInfo[],

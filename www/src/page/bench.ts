@@ -3,6 +3,7 @@
 
 import type { Actions } from "../desk/actions";
 import type { Derived } from "../desk/derive";
+import { givenTo, machineTo } from "../desk/given";
 import type { Practice } from "../desk/practice";
 import { el, on, setText, show } from "../dom";
 import type { EditorPlace } from "../editor/place";
@@ -125,6 +126,15 @@ export function createBench(parts: Parts): Bench {
   const checkMachine = (): void => {
     void import("../views/machine-check").then(({ openMachineCheck }) => openMachineCheck(core, stop.signal));
   };
+  const series = (): void => {
+    const [now, has] = [shown, core()];
+    if (!now || !has) return;
+    const { state, derived } = now;
+    const { known: _, arguments: __, strict: ___, ...given } = givenTo(state);
+    const setup = machineTo(state, derived.view);
+    const asked = { control: state.form.control, text: derived.program, ...(setup && { setup }), ...given };
+    void import("../views/series").then(({ openSeries }) => openSeries(has, asked, stop.signal));
+  };
   const commands = commandsOf(store, actions, {
     save: program.save,
     open: program.open,
@@ -132,6 +142,7 @@ export function createBench(parts: Parts): Bench {
     machine: () => later()?.equipment.open(),
     machineData: () => later()?.machineData.open(),
     machineCheck: checkMachine,
+    series,
     importSetup: () => setupFile.click(),
     exportSetup: () => exportSetup(store, shown?.derived.view.setup),
     paper: which => void later()?.paper(which),
@@ -173,6 +184,7 @@ export function createBench(parts: Parts): Bench {
           { pickFiles: program.pickFiles, machineValues: () => machineData.open("", true) },
           {
             paper: (which, made) => void paper(which, made),
+            series,
             core,
             arrows(all) {
               stage.arrows = all;

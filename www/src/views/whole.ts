@@ -153,6 +153,7 @@ function indexAt(rows: Row[], step: number): number {
 /** What the table needs of the page. */
 export interface WholeWays extends ProtocolWays {
   paper(which: "record", shown: RecordShown): void;
+  series(): void;
 }
 
 export function createWhole(
@@ -177,7 +178,8 @@ export function createWhole(
   );
   const error = el("p", { class: "whole-error", role: "note" });
   const real = el("button", { type: "button", title: t("protocol-open-hint") }, icon("open"), t("protocol-open"));
-  const buttons = [worst, asTable, asDocument, onPaper, real];
+  const series = el("button", { type: "button", title: t("runs-open-hint") }, icon("dice"), t("runs-open"));
+  const buttons = [worst, asTable, asDocument, series, onPaper, real];
   const top = el("div", { class: "whole-top" }, el("h3", {}, t("whole-title")), counts, ...buttons);
   const root = el("section", { class: "whole" }, top);
 
@@ -297,6 +299,7 @@ export function createWhole(
     const made = shown();
     if (made) ways.paper("record", made);
   });
+  on(series, "click", ways.series);
   on(real, "click", protocol.pick);
   on(head, "click", event => {
     const next = (event.target as Element).closest<HTMLElement>("[data-column]")?.dataset.column as Column | undefined;

@@ -1,9 +1,15 @@
 //! What the runs of a series came to, one after the other.
 
-use super::{SeriesAlarm, SeriesCall, SeriesCorrection, SeriesFigure, SeriesShare, SeriesSpread, SeriesView};
+use super::{
+    COURSE, SeriesAlarm, SeriesCall, SeriesCorrection, SeriesFigure, SeriesMemory, SeriesShare, SeriesSpread,
+    SeriesView,
+};
 use crate::app::answer::{Figure, Limited, Verdict};
 use crate::app::outcome::{Raised, alarms};
 use crate::app::run::{OfCall, RunAnswer, answers};
+use crate::control::Control;
+use crate::entry::{Inputs, names};
+use crate::evaluate::mean;
 use crate::machine::series::Series;
 use crate::machine::{Setup, Stop};
 use crate::message::Message;
@@ -33,6 +39,7 @@ struct Call {
     figures: Vec<Column>,
     corrected: Vec<Corrected>,
     verdicts: Vec<(Verdict, Message, usize)>,
+    memories: Vec<SeriesMemory>,
 }
 
 /// A quantity so far: a value for each run, not a number where a run has none.
@@ -41,6 +48,7 @@ struct Column {
     label: Message,
     unit: &'static str,
     limits: Option<Limited>,
+    set: Option<f64>,
     values: Vec<f64>,
     deviations: Vec<f64>,
 }
@@ -51,16 +59,19 @@ struct Corrected {
     part: String,
     unit: &'static str,
     by: Vec<f64>,
+    course: Vec<f64>,
 }
 
 impl Collected {
     /// Takes a run; false: it was given up.
     pub(super) fn add(&mut self, setup: &Setup, outcome: &Outcome) -> bool {
         for (index, answer) in answers(setup, outcome).into_iter().take(CALLS).enumerate() {
+            let inputs = &outcome.called[index].inputs;
             if index == self.calls.len() {
-                self.calls.push(Call::new(&answer));
+                self.calls.push(Call::new(&answer, memories(inputs)));
             }
             self.calls[index].add(self.runs, answer);
+            self.calls[index].remember(self.runs, &outcome.control);
         }
         let mut raised = alarms(outcome);
         raised.dedup();
@@ -97,10 +108,28 @@ fn share(count: usize, runs: usize) -> f64 {
     count as f64 / runs.max(1) as f64
 }
 
+/// The memories of a call, before the first run (B:2303-2342).
+fn memories(inputs: &Inputs) -> Vec<SeriesMemory> {
+    let numbers = mean::memories(inputs.any(names::EVNUM).unwrap_or(0.0) as i64);
+    let both = [("_MV", numbers.mean, true), ("_EV", numbers.empirical, false)];
+    let used = both.into_iter().filter(|(_, number, _)| *number > 0);
+    let memory = |(stem, number, mean)| SeriesMemory { name: format!("{stem}[{}]", number - 1), mean, course: vec![] };
+    used.map(memory).collect()
+}
+
 impl Call {
-    fn new(answer: &RunAnswer) -> Call {
+    fn new(answer: &RunAnswer, memories: Vec<SeriesMemory>) -> Call {
         let (figures, corrected, verdicts) = (Vec::new(), Vec::new(), Vec::new());
-        Call { call: answer.call, feature: answer.answer.feature.clone(), figures, corrected, verdicts }
+        Call { call: answer.call, feature: answer.answer.feature.clone(), figures, corrected, verdicts, memories }
+    }
+
+    /// What the memories hold after this run.
+    fn remember(&mut self, run: usize, control: &Control) {
+        for memory in self.memories.iter_mut().filter(|_| run < COURSE) {
+            let value = control.basic_length(&memory.name);
+            memory.course.resize(run, value);
+            memory.course.push(value);
+        }
     }
 
     fn add(&mut self, run: usize, RunAnswer { answer, .. }: RunAnswer) {
@@ -116,10 +145,15 @@ impl Call {
                 let known = |one: &Corrected| (&one.target, &one.part) == (&correction.target, &part.name);
                 let at = self.corrected.iter().position(known).unwrap_or_else(|| {
                     let (target, part, unit) = (correction.target.clone(), part.name.clone(), part.unit);
-                    self.corrected.push(Corrected { target, part, unit, by: Vec::new() });
+                    self.corrected.push(Corrected { target, part, unit, by: Vec::new(), course: Vec::new() });
                     self.corrected.len() - 1
                 });
-                self.corrected[at].by.push(part.by);
+                let one = &mut self.corrected[at];
+                one.by.push(part.by);
+                if run < COURSE {
+                    one.course.resize(run, 0.0);
+                    one.course.push(part.by);
+                }
             }
         }
         match self.verdicts.iter_mut().find(|(_, words, _)| *words == answer.verdict_words) {
@@ -133,9 +167,10 @@ impl Call {
             let share = share(count, runs);
             SeriesShare { verdict, words, count, share, error: share_error(share, runs) }
         };
-        let corrected = |one: Corrected| {
+        let corrected = |mut one: Corrected| {
             let spread = SeriesSpread::from(&Spread::of(one.by));
-            SeriesCorrection { target: one.target, part: one.part, unit: one.unit, spread }
+            one.course.resize(runs.min(COURSE), 0.0);
+            SeriesCorrection { target: one.target, part: one.part, unit: one.unit, spread, course: one.course }
         };
         let mut verdicts: Vec<SeriesShare> = self.verdicts.into_iter().map(verdict).collect();
         verdicts.sort_by_key(|one| std::cmp::Reverse(one.count));
@@ -146,6 +181,7 @@ impl Call {
             corrected: self.corrected.into_iter().map(corrected).collect(),
             verdicts,
             uncorrected: Vec::new(),
+            memories: self.memories,
         }
     }
 }
@@ -154,7 +190,7 @@ impl Column {
     fn new(figure: &Figure) -> Column {
         let Figure { name, label, unit, limits, .. } = figure;
         let (values, deviations) = (Vec::new(), Vec::new());
-        Column { name, label: label.clone(), unit, limits: *limits, values, deviations }
+        Column { name, label: label.clone(), unit, limits: *limits, set: figure.set, values, deviations }
     }
 
     fn add(&mut self, run: usize, figure: &Figure) {
@@ -162,10 +198,12 @@ impl Column {
         self.values.push(figure.actual);
         self.deviations.extend(figure.deviation);
         self.limits = self.limits.or(figure.limits);
+        self.set = self.set.or(figure.set);
     }
 
     fn view(self) -> SeriesFigure {
         let spread = Spread::of(self.values.clone());
+        let course = self.values.iter().take(COURSE).map(|value| value.is_finite().then_some(*value));
         let limits = self.limits.map(|limits| Limits { low: limits.low, high: limits.high });
         SeriesFigure {
             name: self.name,
@@ -175,6 +213,8 @@ impl Column {
             histogram: spread.histogram(INTERVALS),
             limits: limits.map(|limits| [limits.low, limits.high]),
             capability: limits.and_then(|limits| capability(&Spread::of(self.deviations), limits)),
+            set: self.set,
+            course: course.collect(),
             values: self.values,
         }
     }

@@ -1,6 +1,8 @@
 //! A program carried out many times: how its results spread, what follows from them, and which alarms come.
 
+mod asked;
 mod collect;
+mod example;
 #[cfg(test)]
 mod tests;
 
@@ -16,12 +18,14 @@ use crate::series::capability::Capability;
 use crate::series::draw;
 use crate::series::spread::Spread;
 use crate::syntax::Program;
+pub use asked::{SeriesExample, SeriesRequest, SeriesStart, series_of, series_start};
 use collect::Collected;
 use serde::Serialize;
 use std::rc::Rc;
 
 /// How the results of a program spread over many runs.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
 pub struct SeriesView {
     /// How many runs.
     pub runs: u32,
@@ -39,6 +43,7 @@ pub struct SeriesView {
 
 /// A measuring call over all runs.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
 pub struct SeriesCall {
     /// Which call.
     #[serde(flatten)]
@@ -53,11 +58,29 @@ pub struct SeriesCall {
     pub verdicts: Vec<SeriesShare>,
     /// In production: what would have followed had no part been corrected.
     #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(test, ts(optional, as = "Option<Vec<SeriesShare>>"))]
     pub uncorrected: Vec<SeriesShare>,
+    /// Mean and empirical value after each run, where the call has a memory for them.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(test, ts(optional, as = "Option<Vec<SeriesMemory>>"))]
+    pub memories: Vec<SeriesMemory>,
+}
+
+/// A memory of the control over the first runs.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct SeriesMemory {
+    /// As a program would name it: `_MV[0]`.
+    pub name: String,
+    /// Whether it is a mean value, else an empirical value.
+    pub mean: bool,
+    /// Its value after each of the first 1000 runs, mm, as stored.
+    pub course: Vec<f64>,
 }
 
 /// Share of the runs in which something happened.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
 pub struct SeriesShare {
     /// What.
     pub verdict: Verdict,
@@ -73,6 +96,7 @@ pub struct SeriesShare {
 
 /// Numbers and how they are spread.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
 pub struct SeriesSpread {
     /// How many.
@@ -99,6 +123,7 @@ pub struct SeriesSpread {
 
 /// A quantity over all runs, in its unit.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
 pub struct SeriesFigure {
     /// The result that has its actual value: `_OVR[4]`.
     pub name: &'static str,
@@ -117,13 +142,20 @@ pub struct SeriesFigure {
     /// How well the values hold these limits.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub capability: Option<Capability>,
+    /// Setpoint at the call; absent: there is none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub set: Option<f64>,
+    /// The actual value in each of the first 1000 runs; null: nothing was measured.
+    pub course: Vec<Option<f64>>,
     /// The actual value of each run, not a number where there is none. They are in the table only.
     #[serde(skip)]
+    #[cfg_attr(test, ts(skip))]
     pub values: Vec<f64>,
 }
 
 /// A datum that was corrected.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
 pub struct SeriesCorrection {
     /// Frame, tool or register.
     pub target: Message,
@@ -134,10 +166,13 @@ pub struct SeriesCorrection {
     /// By how much, in the runs in which it was corrected.
     #[serde(flatten)]
     pub spread: SeriesSpread,
+    /// By how much in each of the first 1000 runs; 0: not at all.
+    pub course: Vec<f64>,
 }
 
 /// An alarm over all runs.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
 pub struct SeriesAlarm {
     /// The alarm, or why a run went no further.
     #[serde(flatten)]
@@ -170,26 +205,37 @@ impl From<&Spread> for SeriesSpread {
 /// Work in blocks after which a run is given up.
 const WORK: u64 = 100_000;
 
-/// Runs a program as often as the setup says. `prepare`: what each run is to have; `told`: hears how many are done.
+/// First runs whose values are told one by one.
+const COURSE: usize = 1000;
+
+/// Runs a program as often as the setup says. `prepare`: what each run is to have; `told`: hears which share is done.
 ///
 /// A run that is given up ends the series: the others would take as long, and tell nothing.
 pub fn series(
     program: &Rc<Program>,
     setup: &Setup,
     prepare: &dyn Fn(Session) -> Session,
-    told: &mut dyn FnMut(u32),
+    told: &mut dyn FnMut(f64),
 ) -> SeriesView {
     let mut collected = Collected::default();
-    let mut done = 0;
+    let mut done = 0.0;
+    let passes = if setup.series.mode == Mode::Production { 2.0 } else { 1.0 };
+    let all = passes * f64::from(setup.series.runs.max(1));
+    let mut further = || {
+        done += 1.0;
+        told(done / all);
+    };
     each(program, setup, setup.series.mode, prepare, &mut |outcome| {
-        done += 1;
-        told(done);
+        further();
         collected.add(setup, outcome)
     });
     let mut view = collected.view(&setup.series);
     if setup.series.mode == Mode::Production {
         let mut without = Collected::default();
-        each(program, setup, Mode::Independent, prepare, &mut |outcome| without.add(setup, outcome));
+        each(program, setup, Mode::Independent, prepare, &mut |outcome| {
+            further();
+            without.add(setup, outcome)
+        });
         for (call, other) in view.calls.iter_mut().zip(without.view(&setup.series).calls) {
             call.uncorrected = other.verdicts;
         }

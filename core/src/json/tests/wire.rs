@@ -107,6 +107,9 @@ fn the_types_of_the_page_are_those_of_the_core() {
     types.visit::<FormRequest>();
     types.visit::<CertaintyRequest>();
     types.visit::<CertaintyView>();
+    types.visit::<SeriesRequest>();
+    types.visit::<SeriesStart>();
+    types.visit::<SeriesView>();
     types.visit::<FormView>();
     types.visit::<HelpRequest>();
     types.visit::<HelpView>();

@@ -1,0 +1,107 @@
+//! A series as the page asks for it.
+
+use super::{SeriesView, example, series};
+use crate::app::beside::{Beside, Whole};
+use crate::app::start::{Machine, start};
+use crate::app::{Error, ProgramText};
+use crate::dialect::Dialect;
+use crate::machine::Setup;
+use crate::machine::series::Series;
+use crate::message::Message;
+use crate::run::Session;
+use crate::series::draw;
+use crate::syntax;
+use serde::{Deserialize, Serialize};
+use std::sync::Arc;
+
+/// A program to be run many times.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
+pub struct SeriesRequest {
+    /// Control.
+    pub control: Dialect,
+    /// Text of the program.
+    pub text: ProgramText,
+    /// Machine; absent: the core's own as it is.
+    pub setup: Option<Machine>,
+    /// Which program of the text is run, by its name; absent: the first.
+    pub program: Option<String>,
+    /// Files beside the program; absent: none.
+    pub with: Option<Vec<Beside>>,
+    /// How often, and what varies; absent: what the machine says.
+    pub series: Option<Series>,
+    /// Whether the machine is that of the example; absent: no.
+    pub example: Option<bool>,
+}
+
+/// What a series begins with.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct SeriesStart {
+    /// That of the machine.
+    pub series: Series,
+    /// What can vary of its probe and parts.
+    pub names: Vec<String>,
+    /// How to choose the limits of a correction, a paragraph each.
+    pub help: Vec<Message>,
+    /// The example of the manual.
+    pub example: SeriesExample,
+}
+
+/// A program with its series, on a machine of its own.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct SeriesExample {
+    /// Control.
+    pub control: Dialect,
+    /// The program.
+    pub text: String,
+    /// Its series.
+    pub series: Series,
+}
+
+/// Choice of `_TZL`, `_TMV` and `_K` (B:1239-1263, B:1344-1390, B:2201).
+const HELP: [&str; 4] = ["series-choose-order", "series-choose-tzl", "series-choose-tmv", "series-choose-k"];
+
+/// The setup of a question, with its series.
+fn machine(asked: &mut SeriesRequest) -> Result<Setup, Error> {
+    let mut setup = match asked.example {
+        Some(true) => Setup { series: example::series(), ..example::machine() },
+        _ => start(asked.control, asked.setup.take())?.setup,
+    };
+    if let Some(series) = asked.series.take() {
+        setup.series = series;
+    }
+    Ok(setup)
+}
+
+/// What the fields of a series hold at first.
+///
+/// # Errors
+/// The machine cannot be.
+pub fn series_start(mut asked: SeriesRequest) -> Result<SeriesStart, Error> {
+    let setup = machine(&mut asked)?;
+    let (control, text) = (Dialect::Sinumerik, example::PROGRAM.to_owned());
+    let example = SeriesExample { control, text, series: example::series() };
+    let help = HELP.map(Message::new).into();
+    Ok(SeriesStart { names: draw::names(&setup), series: setup.series, help, example })
+}
+
+/// Runs a program many times. `told`: hears which share is done.
+///
+/// # Errors
+/// The machine cannot be, a number of the series is beyond its range, or it names nothing of the machine.
+pub fn series_of(mut asked: SeriesRequest, told: &mut dyn FnMut(f64)) -> Result<SeriesView, Error> {
+    let setup = machine(&mut asked)?;
+    setup.varies()?;
+    draw::known(&setup)?;
+    let whole = Whole::new(asked.control, asked.text, asked.with);
+    let macros = Arc::clone(&setup.control.definitions.macros);
+    let program = syntax::read_held(whole.dialect(), whole.text(), &macros, &mut |_| {});
+    let main = asked.program;
+    let prepare = |session: Session| match &main {
+        Some(name) => session.of_program(name),
+        None => session,
+    };
+    Ok(series(&program.into(), &setup, &prepare, told))
+}
