@@ -1,7 +1,7 @@
 // The line that says what a call came to: in sight in every state, in figures, words and a gauge, and behind its call.
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
-import { shared } from "./browser.mjs";
+import { counts, shared } from "./browser.mjs";
 import { openErrors, start, startWithEditor, stored } from "./start.mjs";
 
 const bar = page => page.locator(".answer");
@@ -25,7 +25,7 @@ describe("the answer", () => {
     assert.match(await bar(page).textContent(), /Diameter.*Ø \d+\.\d{3}.*\+0\.028.*T\d+ D\d.*R.\+0\.014/s);
     await error(page, "size").fill("0.04");
     await judged(page, "scrap");
-    assert.equal(await page.locator(".answer .needle-bad").count(), 1);
+    await counts(page.locator(".answer .needle-bad"), 1);
     assert.match(await bar(page).locator(".why").textContent(), /0\.04.mm/);
     const box = await bar(page).boundingBox();
     assert.ok(box.y >= 0 && box.y + box.height <= 800, JSON.stringify(box));
@@ -40,7 +40,7 @@ describe("the answer", () => {
     const { context, page, problems } = await start(chrome, { viewport: { width: 1280, height: 800 } });
     const certain = bar(page).locator(".answer-certain");
     await verdict(page).waitFor();
-    assert.equal(await certain.count(), 0);
+    await counts(certain, 0);
     await openErrors(page);
     const repeatability = page.locator(".slider:has(#error-probe-repeatability) .figure");
     await error(page, "size").fill("0");
@@ -67,7 +67,7 @@ describe("the answer", () => {
     await error(page, "size").fill("1.5");
     await judged(page, "alarm");
     assert.match(await verdict(page).textContent(), /61303/);
-    assert.equal(await verdict(page).locator("svg").count(), 1);
+    await counts(verdict(page).locator("svg"), 1);
     await context.close();
   });
 
@@ -79,7 +79,7 @@ describe("the answer", () => {
     const before = await setpoint.inputValue();
     await setpoint.fill("-1");
     await bar(page).locator(".answer-none").waitFor();
-    assert.equal(await verdict(page).count(), 0);
+    await counts(verdict(page), 0);
     assert.doesNotMatch(await page.locator(".answer-line").textContent(), /Ø/);
     await page.waitForFunction(() => document.querySelector(".answer [role=status]").textContent === "");
     await setpoint.fill("");

@@ -5,7 +5,7 @@ import { mkdir, mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, describe, test } from "node:test";
-import { packages, shared } from "./browser.mjs";
+import { counts, packages, shared } from "./browser.mjs";
 import { faults } from "./room.mjs";
 import { focused, keptWhen, startWithEditor as start, start as startAnywhere } from "./start.mjs";
 
@@ -106,7 +106,7 @@ describe("files with a program", () => {
     await openAll(page, file("two.arc", text));
     await run(page);
     await ends(page, TO_ITS_END);
-    assert.equal(await page.locator("#given-DEPTH").count(), 0);
+    await counts(page.locator("#given-DEPTH"), 0);
     await page.locator("#run-program").selectOption("TWO");
     await page.locator("#given-DEPTH").fill("3");
     // the page is drawn while one types: what is not yet taken stays

@@ -3,6 +3,7 @@
 //   cargo xtask serve                                        (in one terminal)
 //   PROBEWRIGHT_URL=http://127.0.0.1:4173/ node --test tests/e2e/
 // PROBEWRIGHT_SLOW=8 lets the page run eight times slower: it shows which test reads without waiting.
+import assert from "node:assert/strict";
 import { createRequire } from "node:module";
 
 // The packages of the page: `packages("axe-core")`, `packages("pngjs")`.
@@ -75,6 +76,17 @@ function watch(page) {
     if (!local && url.origin !== origin) problems.push(`request to another origin: ${url.href}`);
   });
   return problems;
+}
+
+const SOON = 5000; // ms
+
+// Fails unless there are `expected` elements, or soon will be: what an action changes is drawn after it, on a slow
+// machine well after it. An action that is to change nothing is followed by something that can be waited for.
+export async function counts(locator, expected, message) {
+  let found = await locator.count();
+  for (const until = Date.now() + SOON; found !== expected && Date.now() < until; found = await locator.count())
+    await new Promise(resolve => setTimeout(resolve, 20));
+  assert.equal(found, expected, message ?? String(locator));
 }
 
 // Starts the browser before the tests of a file and ends it after them: `const chrome = shared("webgpu")`, then

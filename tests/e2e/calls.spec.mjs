@@ -1,7 +1,7 @@
 // A call and its program: what counts at the call stays with it, whatever form was there before, and after it.
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
-import { shared } from "./browser.mjs";
+import { counts, shared } from "./browser.mjs";
 import { openMachine, openProgram, searchTasks, shownChange, startWithAll as start } from "./start.mjs";
 
 /** Chooses a cycle by the search. */
@@ -85,7 +85,7 @@ describe("plane and units of a call", () => {
     await choose(page, "CYCLE979");
     await page.locator(".at-call").waitFor({ state: "hidden" });
     await page.locator('.fields .unit:text-is("mm")').first().waitFor();
-    assert.equal(await page.locator('.fields .unit:text-is("inch")').count(), 0);
+    await counts(page.locator('.fields .unit:text-is("inch")'), 0);
     assert.deepEqual(problems, []);
     await context.close();
   });

@@ -2,7 +2,7 @@
 // are added and lost, and one step of the history for all of it.
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
-import { shared } from "./browser.mjs";
+import { counts, shared } from "./browser.mjs";
 import { modules } from "./sources.mjs";
 import { keptWhen, openProgram, shownChange, startWithEditor as start } from "./start.mjs";
 
@@ -145,7 +145,7 @@ describe("a conversion", () => {
     await style(page, "indirect").click();
     await press(page, "All 3 calls");
     await shownChange(page).locator('h2:has-text("3 calls")').waitFor();
-    assert.equal(await shownChange(page).locator(".difference-hunk").count(), 3);
+    await counts(shownChange(page).locator(".difference-hunk"), 3);
     const here = () => page.evaluate(() => document.activeElement?.querySelector("[data-side=before]")?.textContent);
     const seen = [];
     for (const key of ["F7", "F7", "F7", "F7", "Shift+F7"]) {
@@ -177,7 +177,7 @@ describe("fixes of several findings", () => {
     await page.locator("#tab-problems").click();
     await all(page).click();
     await shownChange(page).locator('h2:has-text("Fix 40 problems")').waitFor();
-    assert.equal(await changed(page).count(), 40);
+    await counts(changed(page), 40);
     assert.deepEqual(await changed(page).first().locator("mark").allTextContents(), ["\u2212", "-"]);
     await press(page, "Cancel");
     await gone(page);
@@ -199,9 +199,9 @@ describe("fixes of several findings", () => {
     await page.locator("#tab-problems").click();
     await all(page).click();
     await shownChange(page).locator('h2:has-text("Fix 1000 problems")').waitFor();
-    assert.equal(await changed(page).count(), 200);
+    await counts(changed(page), 200);
     await press(page, "Show 800 more changes");
-    assert.equal(await changed(page).count(), 400);
+    await counts(changed(page), 400);
     const sides = async () =>
       changed(page)
         .first()

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readdirSync, readFileSync } from "node:fs";
 import { readFile } from "node:fs/promises";
 import { after, before, describe, test } from "node:test";
-import { shared } from "./browser.mjs";
+import { counts, shared } from "./browser.mjs";
 import { modules } from "./sources.mjs";
 import { startWithEditor as start } from "./start.mjs";
 
@@ -214,7 +214,7 @@ describe("a program in its own encoding", () => {
     const broken = Buffer.concat([GBK, Buffer.from([0x3b, 0xff, 0x80, 0xb2, 0x0d, 0x0a]), bytesOf("zh.gbk.mpf")]);
     await opened(page, "broken.mpf", broken);
     assert.equal(await choice(page).inputValue(), "read gbk");
-    assert.equal(await page.locator(".cm-held").count(), 3);
+    await counts(page.locator(".cm-held"), 3);
     assert.equal(await page.locator(".cm-held").first().textContent(), "FF");
     await page.locator('.cm-line:has-text("\u6d4b\u91cf\u5b54")').first().waitFor();
     assert.deepEqual(await saved(page), broken);

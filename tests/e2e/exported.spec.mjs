@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { after, before, describe, test } from "node:test";
-import { open, packages, shared } from "./browser.mjs";
+import { counts, open, packages, shared } from "./browser.mjs";
 import { openPageMenu } from "./start.mjs";
 
 const axe = packages.resolve("axe-core/axe.min.js");
@@ -61,9 +61,9 @@ describe("the check of a machine", () => {
       window.print = () => {}; // the sheet stays until it is printed
     });
     await shown.getByRole("button", { name: "Print" }).click();
-    assert.equal(await page.locator(".paper .exported-fault").count(), 2);
+    await counts(page.locator(".paper .exported-fault"), 2);
     await page.evaluate(() => dispatchEvent(new Event("afterprint")));
-    assert.equal(await page.locator(".paper").count(), 0);
+    await counts(page.locator(".paper"), 0);
     await shown.getByLabel("Measuring in JOG").uncheck();
     await shown.getByText("Nothing is missing in the data that were compared.").waitFor();
     const data = await page.evaluateHandle(() => {
@@ -73,7 +73,7 @@ describe("the check of a machine", () => {
     });
     await shown.dispatchEvent("drop", { dataTransfer: data });
     await shown.getByRole("alert").filter({ hasText: "Nothing in this text" }).waitFor();
-    assert.equal(await shown.locator(".exported-fault").count(), 0);
+    await counts(shown.locator(".exported-fault"), 0);
     await page.keyboard.press("Escape");
     await shown.waitFor({ state: "detached" });
     assert.deepEqual(problems, []);

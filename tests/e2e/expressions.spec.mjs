@@ -2,7 +2,7 @@
 // expression is written as one. With mouse and keyboard, as a user does it.
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
-import { shared } from "./browser.mjs";
+import { counts, shared } from "./browser.mjs";
 import { openFirstCall, programWhen, searchTasks, shownChange, startWithEditor as start, still } from "./start.mjs";
 
 const REST = "_KNUM=0 _PRNUM=1 _FA=2 _TSA=2";
@@ -108,7 +108,7 @@ describe("a number typed over an expression", () => {
     await worth(page, "_SETVAL", "= 50").waitFor();
     await type(page, "_FA", "4");
     await note(page, "_FA").getByText("it is calculated in line 2").waitFor();
-    assert.equal(await note(page, "_FA").locator(".replaced-assign").count(), 0);
+    await counts(note(page, "_FA").locator(".replaced-assign"), 0);
     await note(page, "_FA").getByRole("button", { name: "Keep R1" }).click();
     await type(page, "_SETVAL", "60");
     await note(page, "_SETVAL").getByRole("button", { name: "Change R3 to 30" }).click();

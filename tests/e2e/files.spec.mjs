@@ -4,7 +4,7 @@ import { mkdtemp, readFile, rmdir } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, describe, test } from "node:test";
-import { shared } from "./browser.mjs";
+import { counts, shared } from "./browser.mjs";
 import { fromFormMenu, fromMachineMenu, lengthField, openErrors, startWithEditor as start } from "./start.mjs";
 
 const programInput = page => page.locator(".panel-program input[type=file]");
@@ -182,7 +182,7 @@ describe("a program file", () => {
       input.dispatchEvent(new Event("change"));
     });
     assert.match(await refusal(page).textContent(), /large\.mpf was not opened: it has 9000\u00a0MB, more than/);
-    assert.equal(await page.locator(".panel-program .refusal:visible").count(), 1);
+    await counts(page.locator(".panel-program .refusal:visible"), 1);
     assert.deepEqual(await saved(page, ".panel-program", "Save"), earlier);
     await page.locator(".panel-program .refusal button").click();
     await page.locator(".panel-program .refusal").waitFor({ state: "hidden" });
@@ -273,7 +273,7 @@ describe("a setup file", () => {
       assert.match(await refusal(page).textContent(), told);
       assert.deepEqual(await saved(page, ".top", "Export setup"), earlier);
       assert.equal(await lengthField(page).inputValue(), "31.25");
-      assert.equal(await page.locator("#broken").count(), 0);
+      await counts(page.locator("#broken"), 0);
       assert.deepEqual(problems, []);
       await context.close();
     });

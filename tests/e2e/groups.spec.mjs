@@ -1,7 +1,7 @@
 // The sections of a form: open where something must be filled in, else one line that says what differs.
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
-import { shared } from "./browser.mjs";
+import { counts, shared } from "./browser.mjs";
 import { drawn, focused, keptWhen, start } from "./start.mjs";
 
 const folded = page => page.locator('.group-head[aria-expanded="false"]');
@@ -14,10 +14,10 @@ describe("sections of a form", () => {
   test("stand open where something must be filled in, and hide nothing that is wrong", async () => {
     const { context, page, problems } = await start(chrome, { folded: true });
     assert.ok((await folded(page).count()) > 0);
-    assert.deepEqual(await page.locator('.group-fields[hidden] [aria-required="true"]').count(), 0);
+    await counts(page.locator('.group-fields[hidden] [aria-required="true"]'), 0);
     // each field belongs to one section, and each folded section has its line
     const all = await page.locator(".field").count();
-    assert.equal(await page.locator(".group .field").count(), all);
+    await counts(page.locator(".group .field"), all);
     for (const line of await folded(page).locator(".group-sum").allTextContents()) assert.match(line, /\S/);
     for (const line of await open(page).locator(".group-sum").allTextContents()) assert.equal(line, "");
     assert.deepEqual(problems, []);
@@ -48,7 +48,7 @@ describe("sections of a form", () => {
     const { context, page } = await start(chrome, { folded: true });
     await page.locator(".fields-all").click();
     await drawn(page);
-    assert.equal(await folded(page).count(), 0);
+    await counts(folded(page), 0);
     const last = page.locator(".group").last();
     const input = last.locator(".field .entry-line > .figure").first();
     const label = await last.locator(".field-label").first().textContent();

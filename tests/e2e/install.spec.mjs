@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { createServer } from "node:http";
 import { after, before, describe, test } from "node:test";
-import { address, open, packages, shared } from "./browser.mjs";
+import { address, counts, open, packages, shared } from "./browser.mjs";
 import { drawn, keptWhen, lengthField, start, startWithCycles } from "./start.mjs";
 
 const { PNG } = packages("pngjs");
@@ -174,7 +174,7 @@ describe("a new version of the page", () => {
     served.version = 1;
     const context = await chrome.browser.newContext({ locale: "en-GB" });
     const page = await opened(context);
-    assert.equal(await offer(page).count(), 0, "the first visit is no new version");
+    await counts(offer(page), 0, "the first visit is no new version");
     await lengthField(page).fill("26.5");
     served.version = 2;
     await page.reload();
@@ -200,7 +200,7 @@ describe("a new version of the page", () => {
     await page.locator(".field").first().waitFor();
     assert.equal(await build(page), "2");
     assert.equal(await lengthField(page).inputValue(), "27.5");
-    assert.equal(await offer(page).count(), 0);
+    await counts(offer(page), 0);
 
     await offer(other).waitFor(); // its version is gone
     assert.equal(await build(other), "1", "and is not taken from under it");

@@ -1,7 +1,7 @@
 // The machine to practise measuring in JOG: an edge by mouse and by keyboard alone, every function in every language.
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
-import { open, shared } from "./browser.mjs";
+import { counts, open, shared } from "./browser.mjs";
 import { faults } from "./room.mjs";
 import { focused } from "./start.mjs";
 
@@ -93,7 +93,7 @@ describe("an edge", () => {
     await tabTo(page, ".jog-surprise");
     await page.keyboard.press("Enter");
     await page.locator(".jog-reveal").waitFor();
-    assert.equal(await page.locator(".jog-truth").count(), 0, "nobody has asked yet");
+    await counts(page.locator(".jog-truth"), 0, "nobody has asked yet");
     await page.locator("#jog").focus();
     await tabTo(page, "[data-function=set_edge]");
     await page.keyboard.press("Enter");
@@ -109,9 +109,9 @@ describe("an edge", () => {
     for (let presses = 0; presses < 4; presses++) await page.keyboard.press("PageDown");
     await position(page, "Z").getByText("\u221210.000").waitFor();
     const ahead = kind => page.locator(`.jog-ahead [data-ahead="${kind}"]`);
-    assert.equal(await ahead("touch").count(), 0, "the part is hidden");
+    await counts(ahead("touch"), 0, "the part is hidden");
     assert.equal(await ahead("write").textContent(), "correct G54");
-    assert.equal(await page.locator(".jog-ahead .jog-quiet").count(), 1, "why no more is told");
+    await counts(page.locator(".jog-ahead .jog-quiet"), 1, "why no more is told");
     await page.keyboard.press("Control+Enter");
     await page.locator(".jog-activation").waitFor();
     await page.keyboard.press("Control+Enter");
@@ -132,7 +132,7 @@ describe("the masks up to SW 6.2", () => {
     await page.locator("[data-function=set_edge]").waitFor();
     await page.locator("#jog-version").selectOption("set PW-JOG = 1");
     await page.locator("[data-function=old_corner]").click();
-    assert.equal(await page.locator("[data-function]").count(), 0);
+    await counts(page.locator("[data-function]"), 0);
     await field(page, "zo").selectOption("G54");
     const places = ["X20 Y-20 Z-8", "X80", "Y-60 X-20 Y40"].map(axes => `move machine ${axes}`);
     const [saved] = await Promise.all([
@@ -150,13 +150,13 @@ describe("the masks up to SW 6.2", () => {
         .locator('.jog-point[data-waits="true"]')
         .getByText(`Store P${number + 1}`)
         .click();
-      assert.equal(await page.locator('.jog-point[data-stored="true"]').count(), number + 1);
+      await counts(page.locator('.jog-point[data-stored="true"]'), number + 1);
       script += `store P${number + 1}\n`;
     }
     assert.deepEqual([...(await faults(page)), ...(await small(page))], []);
     await page.locator(".jog-calculate").click();
     await page.locator('.jog-deviation[data-near="true"]').waitFor();
-    assert.equal(await page.locator(".jog-activation").count(), 0);
+    await counts(page.locator(".jog-activation"), 0);
     assert.deepEqual(problems, []);
     await context.close();
   });
@@ -193,7 +193,7 @@ describe("before NC start", () => {
     await ahead(page, "touch").getByText("Y \u22123.000").waitFor();
     const promised = await ahead(page, "write").allTextContents();
     assert.equal(promised.length > 0, true);
-    assert.equal(await ahead(page, "activate").count(), 1);
+    await counts(ahead(page, "activate"), 1);
     await start(page).click();
     await page.locator(".jog-activation").waitFor();
     const written = await page.locator(".jog-written tr").allTextContents();

@@ -1,7 +1,7 @@
 // The sheet of keys: it can be reached by key and by button, and every line of it is true.
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
-import { shared } from "./browser.mjs";
+import { counts, shared } from "./browser.mjs";
 import { faults } from "./room.mjs";
 import { modules } from "./sources.mjs";
 import { drawn, lengthField, openPageMenu, openTasks, startWithEditor as start, start as startForm } from "./start.mjs";
@@ -22,7 +22,7 @@ describe("the sheet of keys", () => {
     await page.locator(".cm-content").focus();
     await page.keyboard.press("?");
     await page.locator('.cm-line:has-text("?")').waitFor();
-    assert.equal(await sheet(page).count(), 0);
+    await counts(sheet(page), 0);
     await page.locator("#theme").focus();
     await page.keyboard.press("?");
     await sheet(page).waitFor();

@@ -2,7 +2,7 @@
 // words of the errors where a tool is touched.
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
-import { open, shared } from "./browser.mjs";
+import { counts, open, shared } from "./browser.mjs";
 import { openErrors, searchTasks, unfold } from "./start.mjs";
 
 /** The page with the worked measurement of this cycle's first variant in the form; everything is drawn. */
@@ -28,7 +28,7 @@ describe("dimensions in the 3D view", () => {
     const ink = name => named(name).getAttribute("fill");
     await named("_SETVAL").waitFor({ state: "attached" });
     const plain = await ink("_SETVAL");
-    assert.equal(await named("_FA").count(), 0);
+    await counts(named("_FA"), 0);
     const figure = name => page.locator(`.field[data-field="${name}"] .figure`).first();
     await figure("_FA").focus();
     await named("_FA").waitFor({ state: "attached" });
@@ -74,8 +74,8 @@ describe("a turning machine", () => {
     const { context, page, problems } = await chosen(chrome.browser, "CYCLE971");
     await openErrors(page);
     await page.getByLabel("Length L1", { exact: true }).waitFor({ state: "attached" });
-    assert.equal(await page.getByRole("button", { name: "Diameters" }).count(), 0);
-    assert.equal(await page.getByLabel("Skew X", { exact: true }).count(), 0);
+    await counts(page.getByRole("button", { name: "Diameters" }), 0);
+    await counts(page.getByLabel("Skew X", { exact: true }), 0);
     assert.equal(await page.getByLabel("Out-of-roundness", { exact: true }).isVisible(), false);
     assert.equal(await page.getByLabel("Taper", { exact: true }).isVisible(), true);
     assert.deepEqual(problems, []);

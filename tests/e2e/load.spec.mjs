@@ -1,7 +1,7 @@
 // The page loads, and only from its own origin.
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
-import { address, launch, open, setups, shared } from "./browser.mjs";
+import { address, counts, launch, open, setups, shared } from "./browser.mjs";
 
 for (const setup of Object.keys(setups)) {
   describe(`browser with ${setup}`, () => {
@@ -31,7 +31,7 @@ describe("without the core", () => {
     await field.fill("-1");
     await field.blur();
     assert.equal(await field.inputValue(), "-1");
-    assert.equal(await page.locator("#broken").count(), 0);
+    await counts(page.locator("#broken"), 0);
     await context.close();
   });
 });
@@ -58,7 +58,7 @@ describe("before the core has come", () => {
     const { context, page } = await visit(chrome, core.hold);
     await page.locator('[id="field-_SETVAL"]').fill("-1");
     await page.waitForFunction(() => !document.querySelector(".answer-line b"));
-    assert.equal(await page.locator(".problem", { hasText: "_SETVAL" }).count(), 0);
+    await counts(page.locator(".problem", { hasText: "_SETVAL" }), 0);
     assert.doesNotMatch(await page.locator(".panel-form").innerText(), /_SETVAL=/);
     core.release();
     await page.locator(".problem", { hasText: "_SETVAL" }).first().waitFor();

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { after, before, describe, test } from "node:test";
-import { open, shared } from "./browser.mjs";
+import { counts, open, shared } from "./browser.mjs";
 import { startWithEditor as start } from "./start.mjs";
 
 const CALL = "_MVAR=1 _SETVAL=132 _TNUM=20 _KNUM=2001\r\nCYCLE977\r\n";
@@ -299,7 +299,7 @@ describe("a long program", () => {
     const activity = page.locator(".activity[data-work=reading]");
     await activity.getByRole("button", { name: "Stop" }).click();
     await activity.locator('text="Reading was stopped. The calls of this program are not known."').waitFor();
-    assert.equal(await rows(page).count(), 0);
+    await counts(rows(page), 0);
     release();
     await activity.getByRole("button", { name: "Try again" }).click();
     await count(page, 3);

@@ -1,7 +1,7 @@
 // What is set once per machine: found, changed, refused, kept, and used by the forms of the cycles.
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
-import { open, packages, shared } from "./browser.mjs";
+import { counts, open, packages, shared } from "./browser.mjs";
 import { openPageMenu, unfold } from "./start.mjs";
 
 const axe = packages.resolve("axe-core/axe.min.js");
@@ -61,7 +61,7 @@ describe("machine data", () => {
     ]) {
       await shown.getByRole("searchbox").fill(words);
       await shown.locator(".datum").first().waitFor();
-      assert.equal(await shown.getByText("No effect in the simulation.").count(), count, words);
+      await counts(shown.getByText("No effect in the simulation."), count, words);
     }
     await context.close();
   });

@@ -1,7 +1,7 @@
 // The page as its users meet it: first visit, wrong values, reload, program and form together.
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
-import { open, shared } from "./browser.mjs";
+import { counts, open, shared } from "./browser.mjs";
 import {
   drawn,
   fromFormMenu,
@@ -50,7 +50,7 @@ describe("first visit", () => {
     await page.locator(".results tbody tr").first().waitFor();
     const values = await page.locator(".results tbody td:nth-child(3)").allTextContents();
     assert.ok(values.includes("0.0300"), `the deviation of 0.03 mm stands among ${values}`);
-    assert.equal(await page.locator(".field [aria-invalid]").count(), 0, "no field complains");
+    await counts(page.locator(".field [aria-invalid]"), 0, "no field complains");
     assert.match(await page.locator(".snippet").textContent(), /\S/);
     assert.ok((await page.locator(".picture .shape").count()) > 3, "the picture is drawn");
     assert.ok(
@@ -119,7 +119,7 @@ describe("first visit", () => {
     assert.deepEqual(found.cut, []);
     assert.ok(found.below >= 0, "one below the other");
     assert.equal(found.ground, "light");
-    assert.equal(await page.locator(".timeline, .panel-form .primary, .sliders").filter({ visible: true }).count(), 0);
+    await counts(page.locator(".timeline, .panel-form .primary, .sliders").filter({ visible: true }), 0);
     assert.deepEqual(problems, []);
     await context.close();
   });
@@ -134,7 +134,7 @@ describe("first visit", () => {
     await size.locator(".survived").waitFor();
     const [low, high] = (await size.locator(".survived").textContent()).match(/[0-9.]+/g).map(Number);
     assert.ok(low > 0 && high > 0, `${low} ${high}`);
-    assert.equal(await page.locator(".legend").getByText("maximum measurable error").count(), 1);
+    await counts(page.locator(".legend").getByText("maximum measurable error"), 1);
     await page.getByRole("button", { name: "Limits" }).click();
     await size.locator(".survived").waitFor({ state: "hidden" });
     for (const [error, stops] of [

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { after, before, describe, test } from "node:test";
-import { shared } from "./browser.mjs";
+import { counts, shared } from "./browser.mjs";
 import { drawn, lengthField, openProgram, shownChange, startWithAll as start, stored } from "./start.mjs";
 
 const palette = page => page.locator("dialog.palette[open]");
@@ -99,7 +99,7 @@ describe("the palette", () => {
     await openProgram(page, `G17 G54 G42 D1\nT1 D1\nM5\n${CALL}${"G0 X1\n".repeat(5)}${CALL}M30\n`);
     await page.locator(".call-row").nth(1).waitFor();
     await find(page, "CYCLE977");
-    assert.equal(await items(page, "call").count(), 2);
+    await counts(items(page, "call"), 2);
     await items(page, "call").nth(1).click();
     await page.locator('.opened:has-text("lines 11 to 12")').waitFor();
     await find(page, "_TSA");

@@ -1,7 +1,7 @@
 // Set-up sheets and the report of a program, as they come out of the printer: pages of the PDF, and their words.
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
-import { shared } from "./browser.mjs";
+import { counts, shared } from "./browser.mjs";
 import { fromPageMenu, openProgram, startWithAll as start, startWithCycles } from "./start.mjs";
 
 const chrome = shared("neither", { before, after });
@@ -52,7 +52,7 @@ describe("a setup sheet", () => {
         await page.locator("#panel-form .field").first().waitFor();
         for (const format of FORMATS) {
           await printed(page, name); // what was printed is taken away again
-          assert.equal(await paper(page).locator(".paper-sheet").count(), 1);
+          await counts(paper(page).locator(".paper-sheet"), 1);
           assert.ok((await paper(page).locator(".paper-pictures > *").count()) > 0, `${element}: a picture`);
           assert.equal(await pages(page, format), 1, `${element} ${format}`);
         }
@@ -61,7 +61,7 @@ describe("a setup sheet", () => {
         assert.equal(await paper(page).evaluate(sticksOut), 0, element);
         await page.emulateMedia({ media: null });
         await page.evaluate(() => dispatchEvent(new Event("afterprint")));
-        assert.equal(await paper(page).count(), 0);
+        await counts(paper(page), 0);
       }
       assert.deepEqual(problems, []);
       await context.close();
@@ -93,7 +93,7 @@ describe("a setup sheet of a browser with WebGL2", () => {
     await page.locator('.stage [data-backend="webgl2"]').waitFor({ state: "attached" });
     await printed(page, "Print setup sheet");
     const picture = paper(page).locator(".paper-stage img");
-    assert.equal(await picture.count(), 1);
+    await counts(picture, 1);
     const [width, corner, greys] = await picture.evaluate(image => {
       const { naturalWidth: width, naturalHeight: height } = image;
       const pen = new OffscreenCanvas(width, height).getContext("2d");
@@ -117,9 +117,9 @@ describe("a setup sheet of a browser with WebGL2", () => {
   // oracle: hand (the same picture, though the stage was never in sight)
   test("shows it where the stage was never in sight", async () => {
     const { context, page, problems } = await startWithCycles(device, { viewport: { width: 390, height: 844 } });
-    assert.equal(await page.locator(".stage [data-backend]").count(), 0);
+    await counts(page.locator(".stage [data-backend]"), 0);
     await printed(page, "Print setup sheet");
-    assert.equal(await paper(page).locator(".paper-stage img").count(), 1);
+    await counts(paper(page).locator(".paper-stage img"), 1);
     assert.deepEqual(problems, []);
     await context.close();
   });

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, describe, test } from "node:test";
-import { open, shared } from "./browser.mjs";
+import { counts, open, shared } from "./browser.mjs";
 import { searchTasks } from "./start.mjs";
 
 describe("print-out", () => {
@@ -72,7 +72,7 @@ describe("the page on paper", () => {
       for (const part of [".top", ".panel-bar", ".editor", ".timeline", "#panel-tasks"])
         assert.ok(await page.locator(part).first().isHidden(), part);
       await page.evaluate(() => dispatchEvent(new Event("afterprint")));
-      assert.equal(await page.locator(".sheet").count(), 0);
+      await counts(page.locator(".sheet"), 0);
       assert.deepEqual(problems, []);
       await context.close();
     });
@@ -87,7 +87,7 @@ describe("the page on paper", () => {
       .setInputFiles({ name: "long.mpf", mimeType: "text/plain", buffer: Buffer.from("N10 G0 X0\n".repeat(2345)) });
     await page.locator('.file-name:text-is("long.mpf")').waitFor();
     await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
-    assert.equal(await page.locator(".sheet-program li").count(), 2000);
+    await counts(page.locator(".sheet-program li"), 2000);
     assert.match(await page.locator(".sheet-program p").textContent(), /345\D.*2345/);
     await context.close();
   });

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { after, before, describe, test } from "node:test";
-import { packages, shared } from "./browser.mjs";
+import { counts, packages, shared } from "./browser.mjs";
 import { focused, keptWhen, startWithCycles, startWithEditor } from "./start.mjs";
 
 const axe = packages.resolve("axe-core/axe.min.js");
@@ -161,7 +161,7 @@ describe("machine profiles", () => {
     await page.locator("#profile-edit").click();
     await screen(page).getByRole("tab", { name: "Tool probes" }).click();
     const boxes = screen(page).locator(".equipment-box");
-    assert.equal(await boxes.count(), 0);
+    await counts(boxes, 0);
     await screen(page).locator("#equipment-shape").selectOption({ label: "Cube" });
     await screen(page).locator("#equipment-add").click();
     await boxes.filter({ hasText: "Cube 1" }).waitFor();

@@ -1,7 +1,7 @@
 // Who reaches the page, and when: keyboard alone, both themes, small screens, no network, a core that breaks.
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
-import { packages, shared } from "./browser.mjs";
+import { counts, packages, shared } from "./browser.mjs";
 import { drawn, fromFormMenu, keptWhen, lengthField, start } from "./start.mjs";
 
 const axe = packages.resolve("axe-core/axe.min.js");
@@ -25,7 +25,7 @@ describe("reach", () => {
     await press("ArrowDown", "Enter");
     // the variant under the focus is chosen, and its form takes the place of the list
     await page.waitForFunction(() => document.activeElement?.id === "panel-form");
-    assert.equal(await page.locator('[role="treeitem"][aria-selected="true"]').count(), 1);
+    await counts(page.locator('[role="treeitem"][aria-selected="true"]'), 1);
     assert.ok(await page.locator(".tree").isHidden());
     for (
       let tries = 0;
@@ -125,7 +125,7 @@ describe("reach", () => {
     await page.locator("#broken").waitFor({ state: "detached" });
     await page.locator(".field").first().waitFor();
     assert.equal(await lengthField(page).inputValue(), "25.5");
-    assert.equal(await page.locator("#broken").count(), 0);
+    await counts(page.locator("#broken"), 0);
     await context.close();
   });
 

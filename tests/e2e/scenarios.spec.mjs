@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { after, before, describe, test } from "node:test";
 import { fileURLToPath } from "node:url";
-import { packages, shared } from "./browser.mjs";
+import { counts, packages, shared } from "./browser.mjs";
 import { startWithEditor as start } from "./start.mjs";
 
 const axe = packages.resolve("axe-core/axe.min.js");
@@ -51,7 +51,7 @@ describe("scenarios", () => {
     ]);
     await passed(page, "Passed: 2 of 4");
     const rows = page.locator(".scenarios-list > li");
-    assert.equal(await rows.count(), 4);
+    await counts(rows, 4);
     const differing = await rows.filter({ hasText: "other.scenario.json" }).textContent();
     assert.match(differing, /_OVR\[4\] = 132\.03\. Expected: 132\.04\./);
     assert.match(await rows.filter({ hasText: "wrong.scenario.json" }).textContent(), /2.*13.*program/);
@@ -74,7 +74,7 @@ describe("scenarios", () => {
       await page.locator(".scenarios progress").waitFor();
       await page.locator(".scenarios progress").waitFor({ state: "detached", timeout: 60_000 });
       assert.match(await page.locator(".scenarios-outcome strong").textContent(), words);
-      assert.equal(await page.locator('.scenarios-list > li[data-good="false"]').count(), 0);
+      await counts(page.locator('.scenarios-list > li[data-good="false"]'), 0);
       assert.ok((await page.locator(".scenarios-list > li").count()) >= 49);
       assert.deepEqual(problems, []);
       await context.close();

@@ -1,7 +1,7 @@
 // Search over everything, and the list of what can be measured.
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
-import { open, shared } from "./browser.mjs";
+import { counts, open, shared } from "./browser.mjs";
 import { openTasks, searchTasks, startWithCycles as start } from "./start.mjs";
 
 async function search(page, text) {
@@ -44,7 +44,7 @@ describe("search", () => {
       assert.equal(await best(page).getAttribute("data-kind"), "parameter");
       assert.equal(await best(page).locator("code").textContent(), "_SZA");
     }
-    assert.equal(await page.locator('.field[data-field="_SZA"]').count(), 0, "the first form has no protection zone");
+    await counts(page.locator('.field[data-field="_SZA"]'), 0, "the first form has no protection zone");
     await best(page).click();
     await page.waitForFunction(() => document.activeElement?.closest(".field")?.dataset.field === "_SZA");
     assert.deepEqual(problems, []);
@@ -104,7 +104,7 @@ describe("search", () => {
     await card(page).waitFor({ state: "hidden" });
     await searchTasks(page, "qqqqqq");
     await page.locator('.found:has-text("Nothing found for “qqqqqq”")').waitFor();
-    assert.equal(await page.locator(".hit").count(), 0);
+    await counts(page.locator(".hit"), 0);
     await page.locator("#task-search").press("Escape");
     await page.locator('[role="treeitem"]').first().waitFor();
     await context.close();
@@ -134,8 +134,8 @@ describe("the list of what can be measured", () => {
     const { context, page } = await start(chrome);
     await openTasks(page);
     assert.ok((await items(page, 1).count()) > 2, "groups by machine and purpose");
-    assert.equal(await page.locator('[aria-level="1"][aria-expanded="true"]').count(), 1);
-    assert.equal(await page.locator('[aria-level="2"][aria-expanded="true"]').count(), 1);
+    await counts(page.locator('[aria-level="1"][aria-expanded="true"]'), 1);
+    await counts(page.locator('[aria-level="2"][aria-expanded="true"]'), 1);
     const closed = page.locator('[aria-level="1"][aria-expanded="false"]').first();
     const name = await closed.locator(".tree-title").textContent();
     await closed.click();

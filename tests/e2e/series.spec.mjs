@@ -1,7 +1,7 @@
 // A program run many times in the page: fields, charts, table, both for the example of the manual.
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
-import { packages, shared } from "./browser.mjs";
+import { counts, packages, shared } from "./browser.mjs";
 import { start } from "./start.mjs";
 
 const axe = packages.resolve("axe-core/axe.min.js");
@@ -21,9 +21,11 @@ describe("a series of parts", () => {
     await shown.getByLabel("Parts", { exact: true }).fill("20");
     await shown.getByRole("button", { name: "Run series" }).click();
     await shown.getByText("20 parts are done.").waitFor();
-    const cells = await shown.locator("table").evaluateAll(tables =>
-      tables.map(({ tBodies: [body] }) => [...body.rows].map(row => [...row.cells].map(cell => cell.textContent))),
-    );
+    const cells = await shown
+      .locator("table")
+      .evaluateAll(tables =>
+        tables.map(({ tBodies: [body] }) => [...body.rows].map(row => [...row.cells].map(cell => cell.textContent))),
+      );
     const [third, first] = cells;
     assert.deepEqual([third.length, first.length], [20, 20]);
     assert.deepEqual(third[2].slice(0, 2), ["3", "50.060"]);
@@ -31,7 +33,7 @@ describe("a series of parts", () => {
     assert.deepEqual([means[0], means[1], means[6], means[7], means[8]], ["0.010", "0.023", "0.000", "0.010", "0.030"]);
     const changes = rows => rows.filter((row, at) => row[2] !== (at ? rows[at - 1][2] : "0.000")).length;
     assert.ok(changes(first) > changes(third), `${changes(first)} corrections, with weight 3 ${changes(third)}`);
-    assert.equal(await shown.locator("figure.series-chart svg[role=img]").count(), 4);
+    await counts(shown.locator("figure.series-chart svg[role=img]"), 4);
     await shown.getByText("No alarm.").waitFor();
     await page.addScriptTag({ path: axe });
     const wrong = await page.evaluate(() => window.axe.run("dialog.series").then(({ violations }) => violations));

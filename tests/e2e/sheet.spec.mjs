@@ -1,7 +1,7 @@
 // The dock of a tablet is a sheet: a strip, half, or all that the answer leaves; by buttons, keys and by hand.
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
-import { shared } from "./browser.mjs";
+import { counts, shared } from "./browser.mjs";
 import { faults } from "./room.mjs";
 import { drawn, focused, keptWhen, start } from "./start.mjs";
 
@@ -122,7 +122,7 @@ describe("the sheet", () => {
     await page.setViewportSize({ width: 390, height: 844 });
     await drawn(page);
     assert.ok(await machine.isHidden());
-    assert.equal(await page.locator(".panel-bar button:visible").count(), 5);
+    await counts(page.locator(".panel-bar button:visible"), 5);
     const more = page.locator(".rail-more");
     await more.click();
     await page.locator("#page-actions").getByRole("button", { name: "Machine", exact: true }).click();

@@ -3,7 +3,7 @@
 // directions (WCAG 1.4.10).
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
-import { shared } from "./browser.mjs";
+import { counts, shared } from "./browser.mjs";
 import { choosePanel, faults, PANELS, reachable } from "./room.mjs";
 import { drawn, focused, lengthField, openPageMenu, openTasks, start } from "./start.mjs";
 
@@ -77,7 +77,7 @@ describe("little room", () => {
   const actions = async (page, phone) => {
     await openPageMenu(page);
     const all = page.locator("#page-actions, .top-actions").locator("button:visible, select:visible");
-    assert.equal(await all.count(), phone ? 13 : 10);
+    await counts(all, phone ? 13 : 10);
     for (const one of await all.all()) assert.ok(await reachable(one), await one.textContent());
     await page.locator("#page-actions button").last().click();
     const dialog = page.locator("dialog[open]");

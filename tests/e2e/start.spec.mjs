@@ -1,7 +1,7 @@
 // The start screen: from what is to be measured to a call, by mouse and by keyboard, and what else it leads to.
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
-import { open, packages, shared } from "./browser.mjs";
+import { counts, open, packages, shared } from "./browser.mjs";
 import { faults } from "./room.mjs";
 import { drawn, focused, lengthField } from "./start.mjs";
 
@@ -98,7 +98,7 @@ describe("a first visit", () => {
     const later = await context.newPage();
     await later.goto(new URL(page.url()).origin + new URL(page.url()).pathname);
     await later.locator("#panel-form .field").first().waitFor();
-    assert.equal(await later.locator(".tile").count(), 0);
+    await counts(later.locator(".tile"), 0);
     await context.close();
   });
 });

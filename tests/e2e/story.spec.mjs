@@ -1,7 +1,7 @@
 // The worked example, told in five steps: what it shows is simulated, and its end is a corrected part.
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
-import { open, shared } from "./browser.mjs";
+import { counts, open, shared } from "./browser.mjs";
 import { faults } from "./room.mjs";
 
 const chrome = shared("neither", { before, after });
@@ -28,7 +28,7 @@ describe("the worked example", () => {
       await page.locator(".story p", { hasText: "X +0.084" }).waitFor();
       await next(page).click();
       await page.locator(".story p", { hasText: "Now it corrects: nothing" }).waitFor();
-      assert.equal(await page.locator(".call-row").count(), 2);
+      await counts(page.locator(".call-row"), 2);
       assert.deepEqual(problems, []);
       await context.close();
     });

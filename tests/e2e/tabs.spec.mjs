@@ -1,7 +1,7 @@
 // The page in several tabs: a new one asks whose work it continues, and none takes away what another one has kept.
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
-import { shared } from "./browser.mjs";
+import { counts, shared } from "./browser.mjs";
 import { drawn, keptWhen, lengthField, STORE, startWithEditor, stored } from "./start.mjs";
 
 const question = page => page.locator("dialog.continuing[open]");
@@ -31,7 +31,7 @@ async function reload(page) {
 /** Long enough for an answer of the other tabs. */
 async function isNotAsked(page) {
   await page.waitForTimeout(500);
-  assert.equal(await question(page).count(), 0);
+  await counts(question(page), 0);
 }
 
 describe("a new tab beside one with work", () => {
@@ -46,7 +46,7 @@ describe("a new tab beside one with work", () => {
     await question(other).waitFor();
     const { cycle } = await stored(page);
     assert.match(await choices(other).first().textContent(), new RegExp(`${cycle}.* \\d\\d:\\d\\d`));
-    assert.equal(await choices(other).count(), 2, "the copy that is shown, and to start anew");
+    await counts(choices(other), 2, "the copy that is shown, and to start anew");
     assert.ok(
       await choices(other)
         .first()
@@ -68,7 +68,7 @@ describe("a new tab beside one with work", () => {
     const third = await another(page);
     await question(third).waitFor();
     assert.equal(await value(third), "44.5");
-    assert.equal(await choices(third).count(), 3, "both works, and to start anew");
+    await counts(choices(third), 3, "both works, and to start anew");
     await choices(third).nth(1).click();
     await question(third).waitFor({ state: "detached" });
     await third.waitForFunction(() => document.querySelector(".snippet").textContent.includes("31.25"));

@@ -1,7 +1,7 @@
 // The digits of a measuring variant: what is chosen among them is always a variant.
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
-import { open, shared } from "./browser.mjs";
+import { counts, open, shared } from "./browser.mjs";
 import { openTasks } from "./start.mjs";
 
 /** After the redraw that follows what was done last. */
@@ -36,7 +36,7 @@ describe("the digits of a variant", () => {
       );
       await drawn(page);
       assert.equal(await number.inputValue(), leads);
-      assert.equal(await digits.count(), asked, `${leads}: digits`);
+      await counts(digits, asked, `${leads}: digits`);
       assert.deepEqual(await field.locator('.problem[data-severity="error"]').allInnerTexts(), [], leads);
     };
     await page.waitForFunction(() => document.querySelectorAll('.field[data-field="_MVAR"] .digit').length === 5);

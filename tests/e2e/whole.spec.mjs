@@ -1,7 +1,7 @@
 // Whole programs: the outline of their calls, warnings with their remedies, and call styles.
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
-import { shared } from "./browser.mjs";
+import { counts, shared } from "./browser.mjs";
 import { convert, focused, fromPageMenu, openProgram, programWhen, startWithEditor as start } from "./start.mjs";
 
 async function openWithCalls(page, text) {
@@ -275,7 +275,7 @@ describe("the measurements of a whole program", () => {
       return performance.now() - began;
     });
     assert.ok(took < 500, `${took} ms`);
-    assert.equal(await page.locator('[role="columnheader"][aria-sort="ascending"] [data-column="verdict"]').count(), 1);
+    await counts(page.locator('[role="columnheader"][aria-sort="ascending"] [data-column="verdict"]'), 1);
     await context.close();
   });
 });
