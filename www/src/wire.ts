@@ -2900,7 +2900,9 @@ export type SeriesMemory = {
   name: string,
   /** Whether it is a mean value, else an empirical value. */
   mean: boolean,
-  /** Its value after each of the first 1000 runs, mm, as stored. */
+  /** Unit of the call. */
+  unit: string,
+  /** Its value after each of the first 1000 runs, in that unit. */
   course: Array<number>,
 };
 
@@ -2936,12 +2938,22 @@ export type SeriesShare = {
   error: number,
 };
 
+/** Something that can vary. */
+export type SeriesName = {
+  /** Its name in the setup file. */
+  name: string,
+  /** In words. */
+  label: Message,
+  /** Which part of those on the machine, from 1; absent: it is of the probe. */
+  part?: number,
+};
+
 /** What a series begins with. */
 export type SeriesStart = {
   /** That of the machine. */
   series: Series,
-  /** What can vary of its probe and parts. */
-  names: Array<string>,
+  /** What can vary of its parts and probe. */
+  names: Array<SeriesName>,
   /** How to choose the limits of a correction, a paragraph each. */
   help: Array<Message>,
   /** The example of the manual. */

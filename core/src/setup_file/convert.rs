@@ -53,6 +53,7 @@ pub fn setup(file: SetupFile) -> Result<Setup, Refused> {
         clock: clock(&file.clock)?,
         skip: file.skip,
         series: file.series,
+        temperature: file.temperature,
     };
     setup.possible()?;
     known(&setup)?;
@@ -166,6 +167,7 @@ impl From<&Setup> for SetupFile {
             clock: if setup.clock == Clock::default() { String::new() } else { setup.clock.to_string() },
             skip: setup.skip.clone(),
             series: setup.series.clone(),
+            temperature: setup.temperature,
         }
     }
 }

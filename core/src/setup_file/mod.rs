@@ -13,6 +13,7 @@ use crate::control::{Environment, Frame, Plane, Transverse, Units, Value, delive
 use crate::dialect::Dialect;
 use crate::geometry::Degrees;
 use crate::machine::series::Series;
+use crate::machine::temperature::Temperature;
 use crate::workpiece::{Probe, Tool, Turret};
 #[cfg(feature = "cli")]
 use schemars::{generate::SchemaSettings, transform::RecursiveTransform};
@@ -87,6 +88,10 @@ pub struct SetupFile {
     #[serde(default, skip_serializing_if = "nothing_varies")]
     #[cfg_attr(test, ts(optional, as = "Option<Series>"))]
     series: Series,
+    /// How well the temperature of the part is known: a part of how uncertain a measured length is.
+    #[serde(default, skip_serializing_if = "Temperature::is_default")]
+    #[cfg_attr(test, ts(optional, as = "Option<Temperature>"))]
+    temperature: Temperature,
 }
 
 impl SetupFile {

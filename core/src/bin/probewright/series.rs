@@ -45,11 +45,8 @@ pub fn series(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Resu
     let joined = Joined::read(&arguments.file, &arguments.with, None)?.of(setup.control.dialect);
     let macros = Arc::clone(&setup.control.definitions.macros);
     let program = Rc::new(syntax::read_held(joined.dialect, &joined.text, &macros, &mut |_| {}));
-    let main = |session: Session| match &arguments.program {
-        Some(name) => session.of_program(name),
-        None => session,
-    };
-    let view = app::series(&program, &setup, &main, &mut |_| {});
+    let main = arguments.program.clone();
+    let view = app::series(&app::Prepared { setup, program, main }, &mut |_| {});
     if let Some(path) = &arguments.csv {
         file::write(path, std::iter::once(app::series_csv(&view)))?;
     }
