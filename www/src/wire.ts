@@ -304,6 +304,16 @@ export type BrakingView = {
 /** Whence the calibration of a probe. */
 export type CalibrationState = "calibrates" | "run" | "stored" | "differs";
 
+/** A call and how certain it is. */
+export type CallCertainty = {
+  /** What it measures, as far as it spreads. */
+  figures: Array<Certain>,
+  /** Line of the call, from 1. */
+  line?: number,
+  /** Cycle that is called. */
+  cycle?: string,
+};
+
 /** A measuring call of a program. */
 export type CallView = {
   /** Control. */
@@ -2906,6 +2916,16 @@ export type SeriesMemory = {
   course: Array<number>,
 };
 
+/** Something that can vary. */
+export type SeriesName = {
+  /** Its name in the setup file. */
+  name: string,
+  /** In words. */
+  label: Message,
+  /** Which part of those on the machine, from 1; absent: it is of the probe. */
+  part?: number,
+};
+
 /** A program to be run many times. */
 export type SeriesRequest = {
   /** Control. */
@@ -2936,16 +2956,6 @@ export type SeriesShare = {
   share: number,
   /** Standard error of this share. */
   error: number,
-};
-
-/** Something that can vary. */
-export type SeriesName = {
-  /** Its name in the setup file. */
-  name: string,
-  /** In words. */
-  label: Message,
-  /** Which part of those on the machine, from 1; absent: it is of the probe. */
-  part?: number,
 };
 
 /** What a series begins with. */
@@ -3028,6 +3038,8 @@ export type Setup = {
   skip: Array<number>,
   /** What varies where a program is run many times: `probewright series`. */
   series?: Series,
+  /** How well the temperature of the part is known: a part of how uncertain a measured length is. */
+  temperature?: Temperature,
 };
 
 /** How bad it is. */
@@ -3211,6 +3223,14 @@ export type Surface = { "example": {
 
 /** What replaces a surface, as large as that. */
 export type SurfaceChoice = { "example": string } | { "picture": number } | "stl";
+
+/** How well the temperature of the part is known. It has no effect on a run; it makes measured lengths uncertain. */
+export type Temperature = {
+  /** Standard deviation of its temperature from that for which the setpoints hold, K. 0: it is that temperature. */
+  spread: number,
+  /** How much it grows, µm per m and K. */
+  expansion: number,
+};
 
 /** A tool. */
 export type ToolData = {
@@ -3454,6 +3474,34 @@ export type Verdict = "within" | "beyond" | "rework" | "scrap" | "alarm" | "stop
 
 /** From where the drawing is seen. */
 export type View = "plane" | "section";
+
+/** How certain the measurements of a program are. */
+export type WholeCertainty = {
+  /** How many runs; 0: nothing spreads, or nothing is measured. */
+  runs: number,
+  /** Share of them that did not come to the end. */
+  stopped: number,
+  /** For each measuring call of the run, in order. */
+  calls: Array<CallCertainty>,
+};
+
+/** A program whose measurements are to be judged. */
+export type WholeCertaintyRequest = {
+  /** Control. */
+  control: Dialect,
+  /** Text of the program. */
+  text: ProgramText,
+  /** Machine; absent: the core's own as it is. */
+  setup?: Machine,
+  /** Which program of the text is run, by its name; absent: the first. */
+  program?: string,
+  /** Files beside the program; absent: none. */
+  with?: Array<Beside>,
+  /** How many runs, up to 10 000; absent: 400. */
+  runs?: number,
+  /** Seed of all random numbers; absent: 1. */
+  seed?: number,
+};
 
 /** A file that a run left on the control: the log of measurements. */
 export type WrittenFile = {

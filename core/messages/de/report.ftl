@@ -162,6 +162,7 @@ terminal-scan-xyz-text = Datei für die Punkte, als Zeilen X Y Z in mm
 terminal-scan-surface-text = Datei für die Punkte der Fläche, als Zeilen X Y Z in mm: ohne den Kugelradius
 terminal-script-text = Skript: eine Zeile je Taste, Wert oder Bewegung, zum Beispiel „mask set_edge“, „zo = G54“, „move X-20 Y10“, „start“
 terminal-series-setup-text = Datei mit der Maschineneinrichtung und dem Eintrag series, siehe docs/setup.schema.json
+terminal-series-certainty-text = Stattdessen: wie sicher jede Messung ist, aus 400 Läufen oder so vielen, wie --runs angibt
 terminal-series-json-text = Ausgabe als JSON: Mittelwert, Standardabweichung, Quantile und Histogramm jedes Ergebnisses, Anteile, Alarme
 terminal-runs-text = Anzahl der Läufe; ohne Angabe die der Einrichtung
 terminal-seed-text = Startwert der Zufallszahlen; derselbe Startwert ergibt dieselben Ergebnisse

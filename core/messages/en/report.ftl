@@ -166,6 +166,7 @@ terminal-scan-xyz-text = File for the points, as lines X Y Z in mm
 terminal-scan-surface-text = File for the points of the surface, as lines X Y Z in mm: without the ball radius
 terminal-script-text = Script: a line for each key, value or motion, for example “mask set_edge”, “zo = G54”, “move X-20 Y10”, “start”
 terminal-series-setup-text = Setup file with the member series, see docs/setup.schema.json
+terminal-series-certainty-text = Instead: how certain each measurement is, from 400 runs or as many as --runs says
 terminal-series-json-text = Output as JSON: mean, deviation, quantiles and histogram of each result, shares, alarms
 terminal-runs-text = Number of runs; without it, that of the setup file
 terminal-seed-text = Seed of the random numbers; the same seed gives the same results

@@ -162,6 +162,7 @@ terminal-scan-xyz-text = 点文件，每行 X Y Z，单位 mm
 terminal-scan-surface-text = 曲面点文件，每行 X Y Z，单位 mm：已扣除测球半径
 terminal-script-text = 脚本：每行一个按键、数值或移动，例如“mask set_edge”、“zo = G54”、“move X-20 Y10”、“start”
 terminal-series-setup-text = 机床配置文件，含成员 series，见 docs/setup.schema.json
+terminal-series-certainty-text = 改为输出每次测量的可靠程度，默认运行 400 次，可用 --runs 指定
 terminal-series-json-text = 以 JSON 输出：每个结果的平均值、标准偏差、分位数和直方图，比例，报警
 terminal-runs-text = 运行次数；省略时用配置文件中的次数
 terminal-seed-text = 随机数的种子；种子相同则结果相同

@@ -53,7 +53,7 @@ pub use braking::{BrakingPath, BrakingRequest, BrakingView, braking};
 pub use catalogue::{AroundInfo, Catalogue, CycleInfo, ParameterInfo, Purpose, Values, VariantInfo, catalogue};
 pub use certainty::{
     CallCertainty, Certain, CertainChances, CertaintyRequest, CertaintyView, Contribution, WholeCertainty,
-    WholeCertaintyRequest, certainty, certainty_of,
+    WholeCertaintyRequest, certainty, certainty_of, whole_certainty,
 };
 pub use changes::Change;
 pub use edit::{

@@ -15,7 +15,7 @@ use crate::series::decide::{COVERAGE, Limits, Proof, guard};
 use crate::series::spread::Spread;
 use causes::{Cause, Draws};
 use serde::{Deserialize, Serialize};
-pub use whole::{CallCertainty, WholeCertainty, WholeCertaintyRequest, certainty_of};
+pub use whole::{CallCertainty, WholeCertainty, WholeCertaintyRequest, certainty_of, whole_certainty};
 
 /// What is asked.
 #[derive(Clone, Debug, PartialEq, Deserialize)]

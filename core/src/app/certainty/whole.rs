@@ -4,7 +4,7 @@ use super::{Certain, Draws, Spread, alone, budget, causes::Cause, certain, grown
 use crate::app::answer::Figure;
 use crate::app::beside::Beside;
 use crate::app::run::{OfCall, RunAnswer, answers};
-use crate::app::series::{SeriesRequest, prepared};
+use crate::app::series::{Prepared, SeriesRequest, prepared};
 use crate::app::start::Machine;
 use crate::app::{Error, ProgramText};
 use crate::dialect::Dialect;
@@ -66,7 +66,16 @@ const MOST: u32 = 10_000;
 pub fn certainty_of(asked: WholeCertaintyRequest, told: &mut dyn FnMut(f64)) -> Result<WholeCertainty, Error> {
     let WholeCertaintyRequest { control, text, setup, program, with, runs, seed } = asked;
     let request = SeriesRequest { control, text, setup, program, with, series: None, example: None };
-    let prepared = prepared(request)?;
+    Ok(whole_certainty(&prepared(request)?, runs, seed, told))
+}
+
+/// Carries out a program as often, 400 times where that is absent. `seed`: absent 1; `told`: hears which share is done.
+pub fn whole_certainty(
+    prepared: &Prepared,
+    runs: Option<u32>,
+    seed: Option<u64>,
+    told: &mut dyn FnMut(f64),
+) -> WholeCertainty {
     let setup = &prepared.setup;
     let once = |machine: &Setup| prepared.run(machine);
     let outcome = once(setup);
@@ -98,7 +107,7 @@ pub fn certainty_of(asked: WholeCertaintyRequest, told: &mut dyn FnMut(f64)) -> 
         CallCertainty { call: one.call, figures: judged(&outcome, at, one, &causes, &spreads[0], parts) }
     });
     let stopped = if runs == 0 { 0.0 } else { 1.0 - f64::from(spreads[0].finished) / f64::from(runs) };
-    Ok(WholeCertainty { runs, stopped, calls: calls.collect() })
+    WholeCertainty { runs, stopped, calls: calls.collect() }
 }
 
 /// What the figures of one call prove.
@@ -144,5 +153,60 @@ impl<'a> Measured<'a> {
                 values.extend(of(shown).map(|one| grown(one, one.actual, growth)));
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+    use crate::control::Plane;
+    use crate::geometry::Mcs;
+    use crate::series::decide::Proof;
+    use crate::syntax::read;
+    use crate::workpiece::{Shape, Solid};
+
+    /// Two holes of 50 mm, 100 mm apart; the second is 0.018 mm too large.
+    fn two_holes(change: impl Fn(&mut Setup)) -> WholeCertainty {
+        let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
+        for (x, size) in [(0.0, 0.0), (100.0, 0.018)] {
+            let mut hole = Solid::new(Shape::Hole { diameter: 50.0, depth: 30.0 }, Mcs([x, 0.0, 0.0]));
+            hole.errors.size = size;
+            setup.workpiece.solids.push(hole);
+        }
+        change(&mut setup);
+        let call = "_MVAR=1 _SETVAL=50 _KNUM=0\nCYCLE977\n";
+        let text = format!(
+            "G17 G54 G90 T9 D1 M6\nG0 X0 Y0\nZ-10\n_TUL=0.02 _TLL=-0.02 _TSA=1 _FA=2 _PRNUM=1\n{call}Z50\nX100\nZ-10\n\
+             {call}M30\n"
+        );
+        let program = read(Dialect::Sinumerik, text.as_bytes()).into();
+        whole_certainty(&Prepared { setup, program, main: None }, Some(1000), None, &mut |_| {})
+    }
+
+    // oracle: JCGM 100, eq. 10: as for a form, two touches and two of the calibration: u = 2σ; JCGM 106, 7.3: 2 µm from
+    // its limit the second proves nothing
+    #[test]
+    fn each_call_of_a_program_is_as_certain_as_its_touches() {
+        let view = two_holes(|setup| setup.probe.repeatability.0 = 0.001);
+        assert_eq!((view.runs, view.stopped, view.calls.len()), (1000, 0.0, 2));
+        for (call, line) in view.calls.iter().zip([6, 11]) {
+            assert_eq!((call.call.line, call.call.cycle), (Some(line), Some("CYCLE977")));
+            let size = &call.figures[0];
+            assert!((size.expanded / 0.004 - 1.0).abs() < 4.0 / 2000f64.sqrt() + 0.025, "{size:?}");
+            assert!(size.budget.len() == 2 && size.budget.iter().all(|one| (one.share - 0.5).abs() < 0.2), "{size:?}");
+        }
+        let proof = |call: usize| view.calls[call].figures[0].proof;
+        assert_eq!((proof(0), proof(1)), (Some(Proof::Good), Some(Proof::Undecided)));
+    }
+
+    // oracle: hand: u = 50 mm · 11.5 µm/(m·K) · 2 K = 1.15 µm
+    #[test]
+    fn a_warm_part_is_larger() {
+        let view = two_holes(|setup| setup.temperature.spread = 2.0);
+        let size = &view.calls[0].figures[0];
+        assert!((size.expanded / 0.0023 - 1.0).abs() < 4.0 / 2000f64.sqrt() + 0.05, "{size:?}");
+        assert_eq!(size.budget[0].source.key, "certainty-temperature");
+        assert_eq!(two_holes(|_| ()).runs, 0, "nothing spreads");
     }
 }

@@ -5,6 +5,7 @@ use super::*;
 use crate::control::Plane;
 use crate::dialect::Dialect;
 use crate::geometry::Mcs;
+use crate::machine::Setup;
 use crate::machine::series::{Per, Series, Vary};
 use crate::syntax::{Program, read};
 use crate::workpiece::{Shape, Solid};
@@ -182,17 +183,16 @@ fn the_example_is_the_table_of_the_manual() {
 // oracle: self: the same parts in inch, on a control of millimetres: its memory in the unit of the call
 #[test]
 fn a_memory_is_told_in_the_unit_of_the_call() {
-    let both = ["", "G70 "].map(|units| {
-        let limits = if units.is_empty() { "_TMV=0.02 _TZL=0.01 _K=3" } else { "_TMV=0.02/25.4 _TZL=0.01/25.4 _K=3" };
-        let text = "G17 G54 G90 T9 D1 M6\nG0 X0 Y0\nZ-10\n_CHBIT[4]=1 _EVNUM=1 _PRNUM=1 _KNUM=2001 _TNUM=20\n";
-        let lengths = [("_TUL", 0.3), ("_TLL", -0.3), ("_TDIF", 0.6), ("_TSA", 1.0), ("_FA", 2.0), ("_SETVAL", 50.0)];
-        let factor = if units.is_empty() { 1.0 } else { 25.4 };
+    let [metric, inch] = [("G71", 1.0), ("G70", 25.4)].map(|(units, factor)| {
+        let lengths = [("_TUL", 0.03), ("_TLL", -0.03), ("_SETVAL", 50.0)];
         let given: String = lengths.map(|(name, length)| format!("{name}={} ", length / factor)).concat();
+        let text = format!(
+            "G17 G54 G90 T9 D1 M6\nG0 X0 Y0\nZ-10\n_CHBIT[4]=1 _EVNUM=1 _PRNUM=1 _KNUM=2001 _TNUM=20 _TDIF=0.06 _TSA=1 \
+             _FA=2 _TMV=0.02 _TZL=0.01 _K=3\n{units} {given}_MVAR=1\nCYCLE977\nM30\n"
+        );
         let (_, setup) = hole(WIDE, vec![size(0.0, 0.006)], 3, Mode::Production);
-        let text = format!("{text}{units}{given}{limits}\n_MVAR=1\nCYCLE977\nM30\n");
         ran(&(Rc::new(read(Dialect::Sinumerik, text.as_bytes())), setup)).calls[0].memories[0].clone()
     });
-    let [metric, inch] = both;
     assert_eq!((metric.unit, inch.unit), ("mm", "inch"));
     assert!(metric.course[0] > 1e-4, "{metric:?}");
     for (metric, inch) in metric.course.iter().zip(&inch.course) {
