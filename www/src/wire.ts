@@ -3013,7 +3013,8 @@ export type Setup = {
   /**
    * What differs from delivery in user data, R parameters, machine data, # variables: `_WP[0,1]`, `_CHBIT[4]`,
    * `R10`, `MD18600`, `#500`; `PW-FORMS`, 1 where `_MZ_MASK` decides forms and
-   * code; `PW-JOG`, 1 where measuring in JOG has the masks up to SW 6.2.
+   * code; `PW-JOG`, 1 where measuring in JOG has the masks up to SW 6.2; `PW-GENERATION`, 1 to 3, the generation of
+   * the control.
    */
   data: { [key in string]: Datum },
   /**

@@ -371,6 +371,12 @@ datum-speed-2 = Zustellvorschub mit Kollisionsüberwachung
     .help = 0 ist unzulässig.
 datum-speed-3 = Schneller Messvorschub
     .help = 1. Antastung, mit _CHBIT[17]=1 und _FA über 1 mm.
+datum-pw-generation = Generation der Steuerung
+    .help = Einstellung von Probewright: wie die Steuerung einen Messaufruf annimmt und wo sie die Daten des Messtasters hat.
+    .v0 = nicht angegeben: beide Schreibweisen
+    .v1 = 1: Zuweisungen, Anwenderdaten; bis 840D sl 1.x
+    .v2 = 2: Zuweisungen, Settingdaten; 840D sl 2.5 und 2.6, 828D bis 4.3
+    .v3 = 3: Argumentlisten; 840D sl ab 2.7, 828D ab 4.4, ONE
 datum-pw-forms = Masken und Programmtext
     .help = Einstellung von Probewright: ob _MZ_MASK hier so gilt wie im Editor der Steuerung. Bis SW 4.5 öffnete CYCLE103 die Masken vor dem Aufruf.
     .v0 = alle Felder, nur eingegebene Werte

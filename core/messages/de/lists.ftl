@@ -15,7 +15,66 @@ newer-open = { $param } = { $value }: Bedeutung in der Argumentliste neuerer Ste
 newer-target = { $value } steht in Argument 2, bei neueren Steuerungen die NV-Nummer; diese Messvariante korrigiert aber keine NV.
 newer-target-hint = NV: 3. Stelle von Argument 1 auf 1 setzen. Werkzeug: Argument 3 (S_KNUM1) verwenden. Sonst Argument 2 leer lassen.
 write-newer-tool = Neuere Steuerungen erwarten die Werkzeugkorrektur in Argument 3 (S_KNUM1, siehe Alarm 61328); Code unbekannt.
-write-newer-zero = Welcher NV { $value } in der Argumentliste neuerer Steuerungen entspricht, ist unbekannt; bekannt sind nur 1 bis 99 und 9999.
+write-newer-zero = NV { $value } ist in der Argumentliste neuerer Steuerungen unbekannt; bekannt: 1–99, 10001–10099, 9000, 9999, 19999.
 write-newer = { $param } = { $value } bedeutet in der Argumentliste neuerer Steuerungen etwas anderes, oder die Bedeutung ist unbekannt.
 convert-newer = { $param } = { $value }: Die ältere Argumentliste hat keine Entsprechung für diesen Wert der neueren, oder die Bedeutung ist unbekannt.
 convert-newer-hint = Aufruf neu als Zuweisungen schreiben.
+
+newer-lost = Vor Platz { $place } fehlt ein Argument: Alles dahinter steht einen Platz zu früh.
+newer-lost-hint = Für das fehlende Argument ein Komma einfügen.
+newer-many = An Platz { $place } steht ein Argument zu viel: Alles dahinter steht einen Platz zu spät.
+newer-many-hint = Das überzählige Komma löschen.
+newer-inch = S_FA = { $value } ist das 25,4-Fache von { $meant }: Ein Messweg in mm wurde umgerechnet, als wäre er in Zoll.
+newer-inch-hint = Messweg in mm eingeben.
+newer-set-variant = Argument 1 auf { $value } setzen
+newer-set-none = Argument 2 leeren
+newer-set-path = S_FA auf { $value } setzen
+newer-set-close = Klammer schließen
+newer-set-lost = Leeres Argument { $place } einfügen
+newer-set-many = Leeres Argument { $place } löschen
+argument-list = Argumentliste von { $cycle } an neueren Steuerungen
+argument-place = Argument { $place } von { $cycle }
+argument-name = { $name }: { $meaning }
+argument-screen = Auf dem Bildschirm: { $name }
+argument-older = An älteren Steuerungen: { $name }
+argument-no-older = Ältere Steuerungen haben keine Entsprechung.
+argument-values = Bekannt aus Programmen, die an solchen Steuerungen laufen.
+argument-alarm = Alarm { $alarm } nennt es.
+argument-name-known = Nur Name und Platz sind veröffentlicht.
+argument-open = Die Ziffern sind nicht veröffentlicht: Es bleibt, wie es geschrieben ist, und wird nie neu geschrieben.
+argument-nothing = In diesem Aufruf weggelassen.
+argument-zero = Nullpunktverschiebung, die korrigiert wird
+argument-zero-help = Leer: nur messen. 1 bis 4: G54 bis G57; 5 bis 99: G505 bis G599; plus 10000: grob. 9999 und 19999: aktives Frame. 9000 ist in Gebrauch, die Bedeutung nicht veröffentlicht.
+argument-tool = Werkzeug, das korrigiert wird
+argument-ball = Durchmesser der Kalibrierkugel
+argument-probing-angle = Antastwinkel
+argument-probing-angle-help = Von −359 bis 359 Grad. Ältere Steuerungen haben in diesem Zyklus keinen.
+argument-infeed = Zustellung auf Messhöhe
+argument-infeed-help = Welches Vorzeichen nach unten führt, ist von Programm zu Programm verschieden. Ohne Zustellung steht hier 1.
+argument-direction = Messrichtung
+argument-direction-help = 1: plus; 2: minus.
+argument-direction-open = Messrichtung
+argument-direction-open-help = Ihre Zahlen sind nur für CYCLE978 und CYCLE998 veröffentlicht.
+argument-carrier = Orientierbarer Werkzeugträger
+argument-centre-x = Mittelpunkt, 1. Achse der Ebene
+argument-centre-x-help = Wenn der Messtaster daneben startet; _AMODE ist dann 11.
+argument-centre-y = Mittelpunkt, 2. Achse der Ebene
+argument-centre-y-help = Wenn der Messtaster daneben startet; _AMODE ist dann 11.
+argument-bits = Messoptionen
+argument-bits-help = Programme lassen es leer.
+argument-plane = Arbeitsebene
+argument-plane-help = Programme schreiben 1.
+argument-mode = Modus
+argument-mode-help = Programme schreiben 1; 11, wenn S_XM und S_YM den Mittelpunkt angeben.
+argument-name-only = Bedeutung nicht veröffentlicht
+argument-unnamed = Für diesen Platz ist auch kein Name veröffentlicht
+argument-direction-plus = Plusrichtung
+argument-direction-minus = Minusrichtung
+write-direction = S_MD ist leer: Der ältere Aufruf sagt nicht, in welche Richtung gemessen wird.
+write-direction-hint = 1 (plus) oder 2 (minus) eingeben, wie es Programme von Anwendern immer tun.
+write-infeed = S_ID = { $value } behält sein Vorzeichen. Welches nach unten führt, ist an neueren Steuerungen von Programm zu Programm verschieden.
+write-infeed-hint = Vor dem ersten Lauf das Vorzeichen mit einem Programm vergleichen, das an dieser Maschine läuft.
+generation-list = { $cycle } wird mit der Argumentliste neuerer Steuerungen aufgerufen, die Maschine ist aber von Generation { $generation }.
+generation-list-hint = Aufrufe umwandeln oder PW-GENERATION in den Maschinendaten auf 3 setzen.
+generation-assigned = { $cycle } wird wie an älteren Steuerungen aufgerufen, die Maschine ist aber von Generation { $generation } und erwartet Argumentlisten.
+generation-assigned-hint = Aufrufe umwandeln. Laufen an dieser Maschine auch Zuweisungen, PW-GENERATION auf 0 setzen.

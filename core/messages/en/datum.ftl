@@ -371,6 +371,12 @@ datum-speed-2 = Infeed, monitored
     .help = 0 is not permitted.
 datum-speed-3 = Fast measuring feed
     .help = First touch, with _CHBIT[17]=1 and _FA above 1 mm.
+datum-pw-generation = Generation of the control
+    .help = A setting of Probewright: how the control takes a measuring call, and where it keeps the data of the probe.
+    .v0 = Not told: both ways of writing
+    .v1 = 1: assignments, user data; up to 840D sl 1.x
+    .v2 = 2: assignments, setting data; 840D sl 2.5 and 2.6, 828D up to 4.3
+    .v3 = 3: argument lists; 840D sl from 2.7, 828D from 4.4, ONE
 datum-pw-forms = Forms and code
     .help = A setting of Probewright: whether _MZ_MASK applies here as it does in the editor of the control. Up to SW 4.5, CYCLE103 opened the masks before the call.
     .v0 = All fields, and only entered values

@@ -15,7 +15,66 @@ newer-open = { $param } = { $value }: its meaning in the argument list of a newe
 newer-target = { $value } is in argument 2, where newer controls expect the number of a zero offset, but this variant corrects no zero offset.
 newer-target-hint = Zero offset: set the 3rd digit of argument 1 to 1. Tool: use argument 3 (S_KNUM1). Or leave argument 2 empty.
 write-newer-tool = Newer controls have the tool target in argument 3 (S_KNUM1, see alarm 61328); its code is not known.
-write-newer-zero = The zero offset { $value } in the list of newer controls is not known; only 1 to 99 and 9999 are.
+write-newer-zero = Zero offset { $value } is not known in the list of newer controls: 1–99, 10001–10099, 9000, 9999, 19999 are.
 write-newer = { $param } = { $value } has another meaning in the argument list of newer controls, or its meaning is not known.
 convert-newer = { $param } = { $value }: the older argument list has no equivalent for this value of the newer one, or its meaning is not known.
 convert-newer-hint = Write the call again as assignments.
+
+newer-lost = An argument before place { $place } is missing: everything behind it is one place too early.
+newer-lost-hint = Add a comma for the missing argument.
+newer-many = A surplus argument is at place { $place }: everything behind it is one place too late.
+newer-many-hint = Delete the surplus comma.
+newer-inch = S_FA = { $value } is 25.4 times { $meant }: a measuring path in mm was converted as if it were in inches.
+newer-inch-hint = Enter the measuring path in mm.
+newer-set-variant = Set argument 1 to { $value }
+newer-set-none = Empty argument 2
+newer-set-path = Set S_FA to { $value }
+newer-set-close = Close the bracket
+newer-set-lost = Insert an empty argument { $place }
+newer-set-many = Delete the empty argument { $place }
+argument-list = Argument list of { $cycle } on newer controls
+argument-place = Argument { $place } of { $cycle }
+argument-name = { $name }: { $meaning }
+argument-screen = On the screen: { $name }
+argument-older = On older controls: { $name }
+argument-no-older = Older controls have no equivalent.
+argument-values = Known from programs that run on such controls.
+argument-alarm = Named by alarm { $alarm }.
+argument-name-known = Only its name and its place are published.
+argument-open = Its digits are not published: it is kept as written, and never written anew.
+argument-nothing = Omitted in this call.
+argument-zero = Zero offset that is corrected
+argument-zero-help = Empty: measure only. 1 to 4: G54 to G57; 5 to 99: G505 to G599; plus 10000: coarse offset. 9999 and 19999: active frame. 9000 is in use, its meaning is not published.
+argument-tool = Tool that is corrected
+argument-ball = Diameter of the calibration ball
+argument-probing-angle = Probing angle
+argument-probing-angle-help = From −359 to 359 degrees. Older controls have none in this cycle.
+argument-infeed = Infeed to the measuring height
+argument-infeed-help = Programs disagree about the sign that leads down. 1 stands where there is no infeed.
+argument-direction = Measuring direction
+argument-direction-help = 1: plus; 2: minus.
+argument-direction-open = Measuring direction
+argument-direction-open-help = Its numbers are published for CYCLE978 and CYCLE998 only.
+argument-carrier = Orientable tool carrier
+argument-centre-x = Centre, 1st axis of the plane
+argument-centre-x-help = Where the probe starts beside it; _AMODE is then 11.
+argument-centre-y = Centre, 2nd axis of the plane
+argument-centre-y-help = Where the probe starts beside it; _AMODE is then 11.
+argument-bits = Measuring options
+argument-bits-help = Programs leave it empty.
+argument-plane = Working plane
+argument-plane-help = Programs write 1.
+argument-mode = Mode
+argument-mode-help = Programs write 1; 11 where S_XM and S_YM give the centre.
+argument-name-only = Meaning not published
+argument-unnamed = Not even a name is published for this place
+argument-direction-plus = Plus direction
+argument-direction-minus = Minus direction
+write-direction = S_MD is empty: the older call does not say in which direction is measured.
+write-direction-hint = Enter 1 (plus) or 2 (minus), as programs of machine users always do.
+write-infeed = S_ID = { $value } keeps its sign. On newer controls programs disagree about the sign that leads down.
+write-infeed-hint = Check the sign with a program that runs on this machine, before the first run.
+generation-list = { $cycle } is called with the argument list of newer controls, but the machine is of generation { $generation }.
+generation-list-hint = Convert the calls, or set PW-GENERATION to 3 in the machine data.
+generation-assigned = { $cycle } is called as on older controls, but the machine is of generation { $generation }, which takes argument lists.
+generation-assigned-hint = Convert the calls. If assignments run on this machine too, set PW-GENERATION to 0.

@@ -371,6 +371,12 @@ datum-speed-2 = 进刀，有监控
     .help = 不允许 0。
 datum-speed-3 = 快速测量进给
     .help = _CHBIT[17]=1 且 _FA 大于 1 mm 时的第一次触碰。
+datum-pw-generation = 控制系统的代别
+    .help = Probewright 自己的设置：控制系统如何接受测量调用，以及测头数据保存在哪里。
+    .v0 = 未指定：两种书写方式
+    .v1 = 1：赋值，用户数据；至 840D sl 1.x
+    .v2 = 2：赋值，设定数据；840D sl 2.5 和 2.6，828D 至 4.3
+    .v3 = 3：参数列表；840D sl 自 2.7，828D 自 4.4，ONE
 datum-pw-forms = 表单和代码
     .help = Probewright 自己的设置：_MZ_MASK 在此是否像在控制系统的编辑器中那样起作用。至 SW 4.5，由 CYCLE103 在调用前打开输入画面。
     .v0 = 全部字段，只写输入的值

@@ -15,7 +15,66 @@ newer-open = { $param } = { $value }：在新型控制系统参数表中的含�
 newer-target = 第 2 个参数写了 { $value }：新型控制系统在该处写零点偏移号，而此测量方式不补偿零点偏移。
 newer-target-hint = 请把第 1 个参数的第 3 位设为 1（零点偏移），或把刀具补偿写在第 3 个参数（S_KNUM1）；也可将第 2 个参数留空。
 write-newer-tool = 新型控制系统的刀具补偿对象在第 3 个参数（S_KNUM1，见报警 61328），代码未知。
-write-newer-zero = 新型控制系统参数表中零点偏移 { $value } 的含义未知；已知的只有 1 到 99 和 9999。
+write-newer-zero = 新型控制系统参数表中零点偏移 { $value } 的含义未知；已知：1–99、10001–10099、9000、9999、19999。
 write-newer = { $param } = { $value } 在新型控制系统参数表中含义不同或未知。
 convert-newer = { $param } = { $value }：旧型参数表没有与新型参数表中此值对应的值，或其含义未知。
 convert-newer-hint = 请把调用重新写成赋值形式。
+
+newer-lost = 第 { $place } 位之前缺少一个参数：其后的所有参数都提前了一位。
+newer-lost-hint = 为缺少的参数补一个逗号。
+newer-many = 第 { $place } 位多了一个参数：其后的所有参数都推后了一位。
+newer-many-hint = 删除多余的逗号。
+newer-inch = S_FA = { $value } 是 { $meant } 的 25.4 倍：以 mm 为单位的测量行程被当作英寸换算了。
+newer-inch-hint = 以 mm 为单位输入测量行程。
+newer-set-variant = 将参数 1 设为 { $value }
+newer-set-none = 清空参数 2
+newer-set-path = 将 S_FA 设为 { $value }
+newer-set-close = 补上右括号
+newer-set-lost = 插入空参数 { $place }
+newer-set-many = 删除空参数 { $place }
+argument-list = 新型控制系统中 { $cycle } 的参数列表
+argument-place = { $cycle } 的参数 { $place }
+argument-name = { $name }：{ $meaning }
+argument-screen = 屏幕上：{ $name }
+argument-older = 旧版控制系统：{ $name }
+argument-no-older = 旧版控制系统中没有对应项。
+argument-values = 来自在此类控制系统上运行的程序。
+argument-alarm = 报警 { $alarm } 中提到。
+argument-name-known = 只公布了名称和位置。
+argument-open = 各位数字的含义未公布：保持原样，不会重新写入。
+argument-nothing = 此调用中省略。
+argument-zero = 要补偿的零点偏移
+argument-zero-help = 空：只测量。1 至 4：G54 至 G57；5 至 99：G505 至 G599；加 10000：粗偏移。9999 和 19999：有效坐标框架。9000 也在使用，其含义未公布。
+argument-tool = 要补偿的刀具
+argument-ball = 校准球直径
+argument-probing-angle = 探测角度
+argument-probing-angle-help = 从 −359 到 359 度。旧版控制系统的此循环中没有。
+argument-infeed = 到测量高度的进给
+argument-infeed-help = 哪个符号表示向下因程序而异。没有进给时写 1。
+argument-direction = 测量方向
+argument-direction-help = 1：正；2：负。
+argument-direction-open = 测量方向
+argument-direction-open-help = 其数值只公布了 CYCLE978 和 CYCLE998 的。
+argument-carrier = 可定向刀架
+argument-centre-x = 中心，平面第 1 轴
+argument-centre-x-help = 测头从旁边起动时填写；此时 _AMODE 为 11。
+argument-centre-y = 中心，平面第 2 轴
+argument-centre-y-help = 测头从旁边起动时填写；此时 _AMODE 为 11。
+argument-bits = 测量选项
+argument-bits-help = 程序中留空。
+argument-plane = 工作平面
+argument-plane-help = 程序中写 1。
+argument-mode = 模式
+argument-mode-help = 程序中写 1；由 S_XM 和 S_YM 给出中心时写 11。
+argument-name-only = 含义未公布
+argument-unnamed = 此位置连名称也未公布
+argument-direction-plus = 正方向
+argument-direction-minus = 负方向
+write-direction = S_MD 为空：旧的调用没有说明测量方向。
+write-direction-hint = 输入 1（正）或 2（负），机床用户的程序总是写入该值。
+write-infeed = S_ID = { $value } 保持其符号。在新型控制系统上，哪个符号表示向下因程序而异。
+write-infeed-hint = 首次运行前，请与在本机床上运行的程序核对符号。
+generation-list = { $cycle } 使用了新型控制系统的参数列表，而机床属于第 { $generation } 代。
+generation-list-hint = 转换这些调用，或在机床数据中将 PW-GENERATION 设为 3。
+generation-assigned = { $cycle } 按旧版控制系统的方式调用，而机床属于第 { $generation } 代，使用参数列表。
+generation-assigned-hint = 转换这些调用。如果赋值方式在本机床上也能运行，请将 PW-GENERATION 设为 0。

@@ -24,7 +24,7 @@ pub mod units;
 pub mod variables;
 
 pub use calibration::Calibration;
-pub use data::{Data, FORMS, OLDER_JOG};
+pub use data::{Data, FORMS, GENERATION, OF_LISTS, OLDER_JOG};
 pub use definitions::{Definition, Definitions};
 pub use delivery::{delivery, delivery_in, rebuilt};
 pub use environments::Environment;

@@ -1,9 +1,10 @@
 //! The fields of a form, in the order in which they are shown.
 
 use super::{codes, masks, variant};
+use crate::catalogue::newer::arguments::Argument;
 use crate::check;
 use crate::control::Control;
-use crate::entry::{Cycle, Inputs, Kind, Level, Param, Topic, Typed, factor, unit_name};
+use crate::entry::{ArgumentList, Cycle, Inputs, Kind, Level, Param, Topic, Typed, Unit, factor, unit_name};
 use crate::manual::Cited;
 use crate::message::Message;
 use crate::name::Name;
@@ -147,6 +148,40 @@ fn field(param: &'static Param, inputs: &Inputs, typed: &Typed, control: &Contro
         source: Cited(param.source),
     })
 }
+
+/// The fields of what only the list of a newer control asks for.
+pub(crate) fn of_list(list: &'static ArgumentList, typed: &Typed, control: &Control) -> Vec<Field> {
+    Argument::all(list).filter(Argument::is_field).map(|argument| argument_field(&argument, typed, control)).collect()
+}
+
+fn argument_field(argument: &Argument, typed: &Typed, control: &Control) -> Field {
+    let meaning = argument.meaning();
+    let (entry, unit) = match argument.name {
+        "S_MD" => (Entry::Choice { choices: codes::choices(DIRECTIONS) }, Unit::None),
+        "S_STA1" => (Entry::Real { range: Range::ANY }, Unit::Degree),
+        _ => (Entry::Real { range: Range::ANY }, Unit::ActiveLength),
+    };
+    Field {
+        name: Name::new(argument.name),
+        help: Message::new(format!("{meaning}-help")),
+        label: Message::new(meaning),
+        topic: Topic::Task,
+        entry,
+        value: typed.get(argument.name).cloned().unwrap_or_default(),
+        expression: None,
+        written: None,
+        chooses: false,
+        code: None,
+        fallback: None,
+        unit: unit_name(unit, control),
+        required: false,
+        reason: Message::new("argument-values"),
+        source: Cited(""),
+    }
+}
+
+/// Measuring directions in these lists.
+const DIRECTIONS: &[(i64, &str)] = &[(1, "argument-direction-plus"), (2, "argument-direction-minus")];
 
 /// Ranges of the catalogue are in mm and shown in the unit of the field.
 fn shown(range: Range, per: f64) -> Range {

@@ -47,7 +47,8 @@ pub fn compared(program: &Program, site: &CallSite, after: &CallSite) -> Vec<Com
         .collect();
     if let (Some(list), None) = (site.newer_list(), after.newer_list()) {
         let lost = arguments::only_newer(program, list, site.span).into_iter();
-        all.extend(lost.map(|(name, text)| value(name, Some(text), None)));
+        let others = lost.filter(|(name, _)| !site.values.contains_key(*name));
+        all.extend(others.map(|(name, text)| value(name, Some(text), None)));
     }
     all
 }
