@@ -75,7 +75,7 @@ describe("scenarios", () => {
       await page.locator(".scenarios progress").waitFor({ state: "detached", timeout: 60_000 });
       assert.match(await page.locator(".scenarios-outcome strong").textContent(), words);
       await counts(page.locator('.scenarios-list > li[data-good="false"]'), 0);
-      assert.ok((await page.locator(".scenarios-list > li").count()) >= 49);
+      assert.ok((await page.locator(".scenarios-list > li").count()) >= 104);
       assert.deepEqual(problems, []);
       await context.close();
     }
