@@ -12,3 +12,6 @@ scenarios-time = Time: { $seconds } s
 scenarios-stop = Stop
 scenarios-good = passed
 scenarios-bad = failed
+scenarios-from-example = Worked example: { $source }
+scenarios-from-vector = Figures: { $source }
+scenarios-from-loop = Closed loop: { $source }

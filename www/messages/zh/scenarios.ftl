@@ -12,3 +12,6 @@ scenarios-time = 时间：{ $seconds } s
 scenarios-stop = 停止
 scenarios-good = 通过
 scenarios-bad = 不符
+scenarios-from-example = 计算示例：{ $source }
+scenarios-from-vector = 数据：{ $source }
+scenarios-from-loop = 闭环检验：{ $source }
