@@ -87,7 +87,7 @@ describe("scenarios", () => {
       await page.locator(".scenarios progress").waitFor({ state: "detached", timeout: 60_000 });
       assert.match(await page.locator(".scenarios-outcome strong").textContent(), words);
       await counts(page.locator('.scenarios-list > li[data-good="false"]'), 0);
-      assert.ok((await page.locator(".scenarios-list > li").count()) >= 104);
+      assert.ok((await page.locator(".scenarios-list > li").count()) >= 107);
       const sources = await page.locator(".scenario-source").allTextContents();
       for (const [source, least] of kinds) {
         assert.ok(sources.filter(one => source.test(one)).length >= least, `${source}: ${sources}`);

@@ -50,7 +50,7 @@ fn holds(name: &str, scenario_now: Scenario) -> usize {
 #[test]
 fn own_programs() {
     let count: usize = scenarios().into_iter().map(|(name, scenario)| holds(&name, scenario)).sum();
-    assert!(count >= 267, "only {count} cases found");
+    assert!(count >= 276, "only {count} cases found");
 }
 
 // oracle: the cases themselves; manuals print their programs in this manner
