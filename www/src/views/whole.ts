@@ -368,8 +368,10 @@ export function createWhole(
 
   /** Other rows are shown. */
   function arrange(): void {
+    // a run that comes anew while somebody moves through the same rows leaves them where they are
+    const kept = document.activeElement === table && order.length === rows().length ? order[current] : undefined;
     order = sorted(rows(), column, down);
-    current = Math.max(0, order.indexOf(chosen()));
+    current = Math.max(0, order.indexOf(kept ?? chosen()));
     setText(counts, count());
     setText(error, stopped());
     show(error, stopped() !== "");
