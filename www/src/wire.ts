@@ -1051,6 +1051,8 @@ export type Field = {
   required: boolean,
   /** Why it is required or optional. */
   reason: Message,
+  /** Which argument of the list of a newer control it is, where the call is written so. */
+  argument?: Message,
   /** Place in the manual. */
   source: Cited,
 } & ({ "kind": "real",
@@ -3288,7 +3290,7 @@ export type ToolView = {
 };
 
 /** A section of a form; sections are shown in this order. */
-export type Topic = "task" | "correction" | "approach" | "tolerances" | "statistics" | "probe";
+export type Topic = "task" | "correction" | "approach" | "tolerances" | "statistics" | "probe" | "list";
 
 /** A diameter as the control reads it, mm. */
 export type Touched = {

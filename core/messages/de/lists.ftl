@@ -78,3 +78,5 @@ generation-list = { $cycle } wird mit der Argumentliste neuerer Steuerungen aufg
 generation-list-hint = Aufrufe umwandeln oder PW-GENERATION in den Maschinendaten auf 3 setzen.
 generation-assigned = { $cycle } wird wie an älteren Steuerungen aufgerufen, die Maschine ist aber von Generation { $generation } und erwartet Argumentlisten.
 generation-assigned-hint = Aufrufe umwandeln. Laufen an dieser Maschine auch Zuweisungen, PW-GENERATION auf 0 setzen.
+argument-shown = Argument { $place } der Liste: { $name }.
+argument-shown-screen = Argument { $place } der Liste: { $name }, auf dem Bildschirm { $screen }.

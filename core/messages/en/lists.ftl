@@ -78,3 +78,5 @@ generation-list = { $cycle } is called with the argument list of newer controls,
 generation-list-hint = Convert the calls, or set PW-GENERATION to 3 in the machine data.
 generation-assigned = { $cycle } is called as on older controls, but the machine is of generation { $generation }, which takes argument lists.
 generation-assigned-hint = Convert the calls. If assignments run on this machine too, set PW-GENERATION to 0.
+argument-shown = Argument { $place } of the list: { $name }.
+argument-shown-screen = Argument { $place } of the list: { $name }, on the screen { $screen }.

@@ -78,3 +78,5 @@ generation-list = { $cycle } 使用了新型控制系统的参数列表，而机
 generation-list-hint = 转换这些调用，或在机床数据中将 PW-GENERATION 设为 3。
 generation-assigned = { $cycle } 按旧版控制系统的方式调用，而机床属于第 { $generation } 代，使用参数列表。
 generation-assigned-hint = 转换这些调用。如果赋值方式在本机床上也能运行，请将 PW-GENERATION 设为 0。
+argument-shown = 列表的参数 { $place }：{ $name }。
+argument-shown-screen = 列表的参数 { $place }：{ $name }，屏幕上为 { $screen }。

@@ -172,7 +172,10 @@ pub fn form(mut asked: FormRequest) -> Result<FormView, Error> {
     let mut view = view(cycle, &values_of, control, &checked, style, asked.comments.as_ref());
     view.preset = preset;
     let shown = newer.or_else(|| newer_list(cycle, Some(style)));
-    view.fields.extend(shown.into_iter().flat_map(|list| form::of_list(list, &values, control)));
+    if let Some(list) = shown {
+        view.fields.extend(form::of_list(list, &values, control));
+        form::name_arguments(list, &mut view.fields);
+    }
     for field in &mut view.fields {
         field.written = pointed.get(field.name.as_str()).cloned();
     }

@@ -19,6 +19,7 @@ pub mod nct_data;
 pub mod needs;
 pub mod probe;
 pub mod rotary;
+pub mod setting_data;
 pub mod tools;
 pub mod units;
 pub mod variables;

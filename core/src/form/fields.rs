@@ -51,6 +51,9 @@ pub struct Field {
     pub required: bool,
     /// Why it is required or optional.
     pub reason: Message,
+    /// Which argument of the list of a newer control it is, where the call is written so.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub argument: Option<Message>,
     /// Place in the manual.
     pub source: Cited,
 }
@@ -145,13 +148,28 @@ fn field(param: &'static Param, inputs: &Inputs, typed: &Typed, control: &Contro
         unit: unit_name(unit, control),
         required: level == Level::Required && param.default.is_none(),
         reason: Message::new(reason),
+        argument: None,
         source: Cited(param.source),
     })
 }
 
-/// The fields of what only the list of a newer control asks for.
+/// The fields of what only the list of a newer control asks for; what is kept as written has one where it is written.
 pub(crate) fn of_list(list: &'static ArgumentList, typed: &Typed, control: &Control) -> Vec<Field> {
-    Argument::all(list).filter(Argument::is_field).map(|argument| argument_field(&argument, typed, control)).collect()
+    let written = |argument: &Argument| typed.get(argument.name).is_some_and(|text| !text.trim().is_empty());
+    let alone = |argument: &Argument| argument.param.is_none() && !argument.name.is_empty();
+    let all = Argument::all(list).filter(|one| alone(one) && (one.is_field() || written(one)));
+    all.map(|argument| argument_field(&argument, typed, control)).collect()
+}
+
+/// Says of each field which argument of the list it is.
+pub(crate) fn name_arguments(list: &'static ArgumentList, fields: &mut [Field]) {
+    for argument in Argument::all(list) {
+        let taken = |field: &&mut Field| argument.param == Some(field.name) || field.name == argument.name;
+        let Some(field) = fields.iter_mut().find(taken) else { continue };
+        let key = if argument.screen().is_empty() { "argument-shown" } else { "argument-shown-screen" };
+        let message = Message::new(key).number("place", argument.place as f64).text("name", argument.name);
+        field.argument = Some(message.text("screen", argument.screen()));
+    }
 }
 
 fn argument_field(argument: &Argument, typed: &Typed, control: &Control) -> Field {
@@ -165,7 +183,7 @@ fn argument_field(argument: &Argument, typed: &Typed, control: &Control) -> Fiel
         name: Name::new(argument.name),
         help: Message::new(format!("{meaning}-help")),
         label: Message::new(meaning),
-        topic: Topic::Task,
+        topic: Topic::List,
         entry,
         value: typed.get(argument.name).cloned().unwrap_or_default(),
         expression: None,
@@ -175,7 +193,8 @@ fn argument_field(argument: &Argument, typed: &Typed, control: &Control) -> Fiel
         fallback: None,
         unit: unit_name(unit, control),
         required: false,
-        reason: Message::new("argument-values"),
+        reason: Message::new(if argument.is_open() { "argument-open" } else { "argument-values" }),
+        argument: None,
         source: Cited(""),
     }
 }

@@ -5,6 +5,7 @@ use crate::control::gud::{Element, Gud, System, Unit};
 use crate::control::idle::idle;
 use crate::control::machine_data::MACHINE_DATA;
 use crate::control::nct_data::NctDatum;
+use crate::control::setting_data::{SETTING_DATA, SettingDatum};
 use crate::control::{Control, GENERATION, OLDER_JOG, Units, Value, gud, machine_data, nct_data};
 use crate::dialect::Dialect;
 use crate::manual::Cited;
@@ -74,7 +75,9 @@ pub fn groups(control: &Control) -> Vec<Group> {
     }
     let subjects = gud::SUBJECTS.iter().map(|subject| group(subject.key, of_subject(subject, control)));
     let machine = group("machine-data", MACHINE_DATA.iter().flat_map(of_machine_datum).collect());
-    subjects.chain([machine]).filter(|group| !group.settings.is_empty()).collect()
+    let newer = SETTING_DATA.iter().filter(|_| control.number(GENERATION) > 1.0);
+    let newer = group("setting-data", newer.flat_map(|datum| of_setting_datum(datum, control)).collect());
+    subjects.chain([machine, newer]).filter(|group| !group.settings.is_empty()).collect()
 }
 
 /// The groups of an NCT control.
@@ -161,6 +164,28 @@ fn setting(gud: &'static Gud, element: &Element, at: &[usize], basic: Units) -> 
         range: element.range,
         source: Cited(element.source),
     }
+}
+
+/// Settings of a setting datum: what its user datum says counts for it.
+fn of_setting_datum(datum: &'static SettingDatum, control: &Control) -> Vec<Setting> {
+    let of_its_own = |name: String| Setting {
+        name,
+        key: datum.key(),
+        field: None,
+        entry: Entry::Real,
+        unit: "",
+        range: Range::ANY,
+        source: Cited(""),
+        idle: true,
+    };
+    let one = |place: Option<usize>| match datum.older() {
+        Some((gud, element)) => {
+            let older = setting(gud, element, &datum.older_place(place), control.basic_units);
+            Setting { name: datum.spelled(place), field: None, source: Cited(""), ..older }
+        }
+        None => of_its_own(datum.spelled(place)),
+    };
+    datum.places(control).into_iter().map(one).collect()
 }
 
 fn of_machine_datum(datum: &'static machine_data::MachineDatum) -> Vec<Setting> {

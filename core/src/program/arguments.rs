@@ -120,7 +120,7 @@ pub(super) fn given(
     let mut found = Vec::new();
     for (index, arg) in list.args.iter().enumerate() {
         let own = Argument::at(list, index);
-        if own.is_field() && list.style == Style::Operate {
+        if own.param.is_none() && !own.name.is_empty() {
             let value = arguments.get(index).cloned().flatten();
             found.extend(value.map(|value| (Name::new(own.name), value)));
         }

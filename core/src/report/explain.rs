@@ -4,6 +4,7 @@
 use crate::catalogue::CYCLES;
 use crate::catalogue::newer::LISTS;
 use crate::catalogue::newer::arguments::{Argument, Evidence};
+use crate::control::setting_data::SETTING_DATA;
 use crate::entry::{Cycle, Variant};
 use crate::manual::Cited;
 use crate::message::Message;
@@ -127,6 +128,21 @@ pub fn arguments(asked: &str, words: &Words) -> String {
         }
     }
     told.into_iter().map(|(meaning, places)| format!("{meaning}\n  {}\n", places.join(", "))).collect()
+}
+
+/// A setting datum of newer controls by its number, `SD54600`. Empty: none has it.
+pub fn setting_datum(asked: &str, words: &Words) -> String {
+    let datum = SETTING_DATA.iter().find(|datum| datum.name().eq_ignore_ascii_case(asked));
+    let Some(datum) = datum else { return String::new() };
+    let mut text = format!("{}: {}\n", datum.name(), words.key(datum.key()));
+    if let Some(line) = words.find(&Message::new(format!("{}.help", datum.key()))) {
+        let _ = writeln!(text, "  {line}");
+    }
+    let _ = match datum.older_name().as_str() {
+        "" => writeln!(text, "  {}", words.key("argument-no-older")),
+        older => writeln!(text, "  {}", words.text(&Message::new("argument-older").text("name", older.to_owned()))),
+    };
+    text
 }
 
 /// Label and, where there is one, help.

@@ -5,6 +5,7 @@ use crate::catalogue::newer::LISTS;
 use crate::catalogue::newer::alarms::NEWER;
 use crate::catalogue::newer::arguments::Argument;
 use crate::catalogue::{CYCLES, alarms};
+use crate::control::setting_data::SETTING_DATA;
 use crate::entry::{ArgumentList, When};
 use crate::message::Message;
 use crate::report::markdown::{line, rows, table};
@@ -32,6 +33,13 @@ pub fn page(words: &Words) -> String {
             words,
         );
     }
+    let settings = SETTING_DATA.iter().map(|datum| {
+        let label = words.key(datum.key());
+        let help = words.find(&Message::new(format!("{}.help", datum.key())));
+        let meaning = help.map_or_else(|| label.clone(), |help| format!("{label}. {help}"));
+        [datum.name(), meaning, datum.older_name()]
+    });
+    table(&mut text, &words.key("machine-group-setting-data"), ["number", "meaning", "datum"], settings, words);
     let told = NEWER.iter().map(|number| {
         let known = alarms::find(&number.to_string()).is_some();
         let known = words.key(if known { "report-generations-cure" } else { "report-generations-new" });

@@ -40,6 +40,7 @@ pub fn setup(file: SetupFile) -> Result<Setup, Refused> {
     for (name, value) in file.data {
         control.data.insert(name, value);
     }
+    control.take_setting_data();
     activate(&mut control, &file.active)?;
     let setup = Setup {
         name: file.name,

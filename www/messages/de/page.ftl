@@ -881,6 +881,7 @@ chain-title = Grenzen auf einer Skala
 chain-measured = Ist
 topic-statistics = Statistik
 topic-probe = Messtaster
+topic-list = Argumentliste
 group-more = { $count ->
     [one] 1 weiteres Feld
    *[other] { $count } weitere Felder

@@ -866,6 +866,7 @@ chain-title = Limits on one scale
 chain-measured = Actual
 topic-statistics = Statistics
 topic-probe = Probe
+topic-list = Argument list
 group-more = { $count } more
 group-as-delivered = defaults
 fields-all = All fields

@@ -834,6 +834,7 @@ chain-title = 同一标尺上的限值
 chain-measured = 实际值
 topic-statistics = 统计
 topic-probe = 测头
+topic-list = 参数列表
 group-more = 另有 { $count } 项
 group-as-delivered = 默认值
 fields-all = 全部字段

@@ -6,7 +6,7 @@ use probewright_core::catalogue::CYCLES;
 use probewright_core::entry::Cycle;
 use probewright_core::jog::masks;
 use probewright_core::message::Message;
-use probewright_core::report::explain::{arguments, cycle, datum, list, variant};
+use probewright_core::report::explain::{arguments, cycle, datum, list, setting_datum, variant};
 use probewright_core::report::findings::finding;
 use probewright_core::report::jog::explained;
 use probewright_core::words::Words;
@@ -20,7 +20,10 @@ pub fn explain(name: &str, number: Option<i64>, words: &Words, out: &mut dyn Wri
     let text = match (found, masks::find(name)) {
         (Some(found), _) => page(found, number, words)?,
         (None, Some(mask)) => explained(mask, words),
-        (None, None) => datum(name, words) + &finding(name, words) + &arguments(name, words) + &list(name, words),
+        (None, None) => {
+            let newer = arguments(name, words) + &list(name, words) + &setting_datum(name, words);
+            datum(name, words) + &finding(name, words) + &newer
+        }
     };
     if text.is_empty() {
         return alarms::alarms(Some(name), false, words, out)
