@@ -48,6 +48,9 @@ impl Control {
 
     /// Where a straight way from one point of the WCS to another is ended by a limit switch; none: it is not.
     pub fn limited(&self, from: Wcs, to: Wcs) -> Option<Wcs> {
+        if !self.limits.any() {
+            return None;
+        }
         let [start, end] = [from, to].map(|point| self.to_machine(point) + self.active_length());
         if self.limits.contain(end) {
             return None;
