@@ -118,8 +118,8 @@ fn published_calls_have_no_fault() {
     }
 }
 
-// oracle: peer (posts in which an argument is missing, in which the path is multiplied by 25.4, in which 1003 corrects a
-// zero offset); hand: what the call has to be
+// oracle: peer (posts in which an argument is missing, in which the path is multiplied by 25.4, in which 1003 corrects
+// a zero offset); hand: what the call has to be
 #[test]
 fn published_faults_have_a_cure() {
     let right = "CYCLE977(101,1,,1,132,,,2,1,,,,,,1,\"\",,0,1.01,1.01,-1.01,0.34,1,0,,1,1)\n";
