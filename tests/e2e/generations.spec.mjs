@@ -1,4 +1,4 @@
-// A call in the argument list of a newer control: its own arguments are fields, and a change touches its own place only.
+// A call in the argument list of a newer control: its own arguments are fields, and a change touches its place only.
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { shared } from "./browser.mjs";

@@ -63,8 +63,8 @@ fn coarse(typed: &Typed) -> Option<i64> {
     coarse.then_some(code as i64 - 10_000)
 }
 
-/// Where the older control puts a correction of a settable frame, which the number in these lists says: 1 coarse, 0 fine
-/// (B:14035-14039).
+/// Where the older control puts a correction of a settable frame, which the number in these lists says: 1 coarse, 0
+/// fine (B:14035-14039).
 pub const COARSE: &str = "_CHBIT[21]";
 
 /// The parameters whose values mean something else on the older control, or whose meaning is not known.

@@ -2,7 +2,6 @@
 
 use super::names::{read as read_name, write as write_name};
 use super::{Call, Datum, Halt, Interpreter, call, cycle};
-use crate::catalogue::newer::{LISTS, arguments::Argument};
 use crate::catalogue::{CYCLES, find, list};
 use crate::check::{self, Sort, listed, newer};
 use crate::control::Value;
@@ -51,13 +50,13 @@ fn without(run: &mut Interpreter, call: &Call) -> Result<bool, Halt> {
     if let Some(finding) = many.or_else(unmatched) {
         return Err(stopped(run, call, &call.name, finding));
     }
-    match LISTS.iter().find(|list| list.name == call.name && !call.args.is_empty()) {
-        // it measures nothing, and writes what it was given on a screen or into a file
-        Some(list) if !Argument::all(list).any(|one| one.name == "S_MVAR") => {
+    match list::newer_alone(&call.name).filter(|_| !call.args.is_empty()) {
+        // it writes what it was given on a screen or into a file
+        Some((list, false)) => {
             run.tell(Severity::Warning, &Problem::new("run-not-simulated", call.span, list.name));
             Ok(true)
         }
-        Some(list) => Err(Problem::new("run-no-simulation", call.span, list.name).into()),
+        Some((list, true)) => Err(Problem::new("run-no-simulation", call.span, list.name).into()),
         None => Ok(false),
     }
 }

@@ -23,7 +23,8 @@ fn said(text: &str, generation: f64) -> Vec<String> {
     found.into_iter().map(|one| one.message.key.to_string()).filter(|key| key.starts_with("generation")).collect()
 }
 
-// oracle: peer (remedies of alarms separate three generations: lists only from 840D sl 2.7, 828D 4.4); hand: one finding
+// oracle: peer (remedies of alarms separate three generations: lists only from 840D sl 2.7, 828D 4.4); hand: one
+// finding
 #[test]
 fn a_program_of_another_generation_is_told_once() {
     let lists = "CYCLE977(101,1,,1,132,,,2,1)\nCYCLE977(101,2,,1,132,,,2,1)\n";
@@ -109,7 +110,10 @@ fn a_run_stops_at_a_call_that_is_not_understood() {
 fn the_form_of_a_machine_with_lists_writes_them() {
     use probewright_core::{app, json};
     use serde_json::json;
-    let machine = |generation: i32| json!({ "control": "sinumerik", "probe": { "radius": 3, "length": 50 }, "data": { "PW-GENERATION": generation } });
+    let machine = |generation: i32| {
+        let data = json!({ "PW-GENERATION": generation });
+        json!({ "control": "sinumerik", "probe": { "radius": 3, "length": 50 }, "data": data })
+    };
     let ask = |cycle: &str, generation: i32, direction: &str| {
         let values = json!({ "_MVAR": "100", "_KNUM": "10001", "_SETVAL": "50", "_MA": "1", "_PRNUM": "1", "_FA": "2",
             "_TSA": "1", "S_MD": direction });
