@@ -146,7 +146,11 @@ pub fn form(mut asked: FormRequest) -> Result<FormView, Error> {
     at_call(&mut start.setup.control, cycle, &asked)?;
     let control = &mut start.setup.control;
     let support = Support::of(cycle, control);
-    let listed = control.number(GENERATION) == OF_LISTS && asked.written.is_none();
+    // a program tells its generation by what it writes
+    let listed = match asked.written {
+        None => control.number(GENERATION) == OF_LISTS,
+        written => written == Some(Style::Operate),
+    };
     let listed = newer_list(cycle, listed.then_some(Style::Operate)).filter(|list| list.is_written());
     let preset = match listed {
         Some(_) => Style::Operate,

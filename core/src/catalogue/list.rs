@@ -1,6 +1,7 @@
 //! Which cycle a call with arguments means.
 
 use super::CYCLES;
+use super::newer::LISTS;
 use crate::catalogue::prelude::*;
 use crate::check::listed::{selection, too_many};
 use crate::dialect::Dialect;
@@ -21,6 +22,15 @@ pub fn called(
     let bare = |cycle: &&Cycle| arguments == 0 && cycle.name.eq_ignore_ascii_case(name);
     let of_control = CYCLES.iter().filter(|cycle| cycle.dialect == dialect && !bare(cycle));
     of_control.copied().find_map(|cycle| Some((cycle, cycle.lists.iter().find(meant)?)))
+}
+
+/// The list of newer controls that calls a cycle of this name which the older control does not have, and whether it
+/// measures: then it has a variant.
+pub fn newer_alone(name: &str) -> Option<(&'static ArgumentList, bool)> {
+    let list = LISTS.iter().find(|list| list.name.eq_ignore_ascii_case(name))?;
+    let older = CYCLES.iter().any(|cycle| cycle.name == list.name);
+    let measures = list.position(names::MVAR).is_some();
+    (!older).then_some((list, measures))
 }
 
 /// For which argument of a parameterizing call a cycle is chosen, and the numbers that can stand there.

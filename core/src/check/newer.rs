@@ -22,11 +22,11 @@ const SAME: [Own; 6] =
 const SAME_ALARMS: [Code; 2] = [Code::Alarm(61308), Code::Alarm(61334)];
 
 /// Warnings about two values that hold where both are written: what counts for an omitted one is another datum there.
-const ORDERS: [(Own, &[Name]); 4] = [
+/// That the dimension difference is above the safe area is none: it counts for tools, and posts write 1.01 and 1.
+const ORDERS: [(Own, &[Name]); 3] = [
     (own::TOLERANCE_ORDER, &[names::TUL, names::TLL]),
     (own::BAND_DIFFERENCE, &[names::TUL, names::TLL, names::TDIF]),
     (own::ZERO_MEAN, &[names::TZL, names::TMV]),
-    (own::DIFFERENCE_SAFE, &[names::TDIF, names::TSA]),
 ];
 
 /// What says what is measured: each published program gives it.
@@ -63,8 +63,8 @@ fn coarse(typed: &Typed) -> Option<i64> {
     coarse.then_some(code as i64 - 10_000)
 }
 
-/// Where the older control puts a correction of a settable frame, which the number in these lists says: 1 coarse, 0 fine
-/// (B:14035-14039).
+/// Where the older control puts a correction of a settable frame, which the number in these lists says: 1 coarse, 0
+/// fine (B:14035-14039).
 pub const COARSE: &str = "_CHBIT[21]";
 
 /// The parameters whose values mean something else on the older control, or whose meaning is not known.

@@ -18,8 +18,8 @@ use std::{cell::RefCell, collections::BTreeSet};
 pub const FORMS: &str = "PW-FORMS";
 /// Setting of ours: 1 gives measuring in JOG the masks that it had up to measuring cycles SW 6.2.
 pub const OLDER_JOG: &str = "PW-JOG";
-/// Setting of ours: the generation of the control, 1 to 3; 0: not told. Up to 840D sl 1.x it takes assignments, from 2.5
-/// assignments with setting data, from 840D sl 2.7 and 828D 4.4 argument lists.
+/// Setting of ours: the generation of the control, 1 to 3; 0: not told. Up to 840D sl 1.x it takes assignments, from
+/// 2.5 assignments with setting data, from 840D sl 2.7 and 828D 4.4 argument lists.
 pub const GENERATION: &str = "PW-GENERATION";
 /// The generation that takes argument lists.
 pub const OF_LISTS: f64 = 3.0;

@@ -1,6 +1,6 @@
 //! Setting data in which the second and third generation of the control have what the first has in user data, and some
-//! that only they have. Published tables tell numbers and contents; where these are those of a user datum, its words and
-//! its limits count here too.
+//! that only they have. Published tables tell numbers and contents; where these are those of a user datum, its words
+//! and its limits count here too.
 
 use super::gud::{self, Element, Gud};
 use super::{Control, GENERATION};

@@ -49,7 +49,7 @@ pub enum Arg {
     Output(&'static str),
     /// Has no counterpart among our parameters, or its meaning is not known.
     Open,
-    /// In the list of a newer control: its name there (empty: none is published), and the parameter that means the same.
+    /// In the list of a newer control: its name there (empty: none is published), and the parameter with its meaning.
     Newer(&'static str, Option<Name>),
 }
 

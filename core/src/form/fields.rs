@@ -177,7 +177,8 @@ fn argument_field(argument: &Argument, typed: &Typed, control: &Control) -> Fiel
     let (entry, unit) = match argument.name {
         "S_MD" => (Entry::Choice { choices: codes::choices(DIRECTIONS) }, Unit::None),
         "S_STA1" => (Entry::Real { range: Range::ANY }, Unit::Degree),
-        _ => (Entry::Real { range: Range::ANY }, Unit::ActiveLength),
+        "S_XM" | "S_YM" => (Entry::Real { range: Range::ANY }, Unit::ActiveLength),
+        _ => (Entry::Real { range: Range::ANY }, Unit::None),
     };
     Field {
         name: Name::new(argument.name),

@@ -1,12 +1,13 @@
 //! Calls with arguments in brackets: `CYCLE_PARA(…)`, the parameterizing calls, the lists of newer controls.
 
-use super::{Call, Datum, Halt, Interpreter, call, cycle, names};
-use crate::catalogue::newer::{LISTS, arguments::Argument};
+use super::names::{read as read_name, write as write_name};
+use super::{Call, Datum, Halt, Interpreter, call, cycle};
 use crate::catalogue::{CYCLES, find, list};
 use crate::check::{self, Sort, listed, newer};
 use crate::control::Value;
 use crate::diagnostic::{Diagnostic, Severity};
-use crate::entry::{AUXILIARY, AUXILIARY_ARGS, Arg, ArgumentList, Cycle, Kind, Param, Style, Typed};
+use crate::entry::{AUXILIARY, AUXILIARY_ARGS, Arg, ArgumentList, Cycle, Inputs, Kind, Param, Style, Typed, names};
+use crate::machine::Machine;
 use crate::name::Name;
 use crate::problem::Problem;
 use crate::program::arguments;
@@ -49,13 +50,13 @@ fn without(run: &mut Interpreter, call: &Call) -> Result<bool, Halt> {
     if let Some(finding) = many.or_else(unmatched) {
         return Err(stopped(run, call, &call.name, finding));
     }
-    match LISTS.iter().find(|list| list.name == call.name && !call.args.is_empty()) {
-        // it measures nothing, and writes what it was given on a screen or into a file
-        Some(list) if !Argument::all(list).any(|one| one.name == "S_MVAR") => {
+    match list::newer_alone(&call.name).filter(|_| !call.args.is_empty()) {
+        // it writes what it was given on a screen or into a file
+        Some((list, false)) => {
             run.tell(Severity::Warning, &Problem::new("run-not-simulated", call.span, list.name));
             Ok(true)
         }
-        Some(list) => Err(Problem::new("run-no-simulation", call.span, list.name).into()),
+        Some((list, true)) => Err(Problem::new("run-no-simulation", call.span, list.name).into()),
         None => Ok(false),
     }
 }
@@ -98,8 +99,11 @@ fn newer_list(
         values.filter_map(|(name, value)| Some((name.to_string(), Datum::from(&value?).exact()))).collect();
     run.fit(cycle, &typed);
     let checked = newer::check_simulated(cycle, list, &typed, &run.sim.control);
-    if checked.inputs.is_some() {
-        for (name, _) in arguments::only_newer(&run.program, list, call.span) {
+    if let Some(inputs) = &checked.inputs {
+        let said = arguments::only_newer(&run.program, list, call.span).into_iter();
+        let told: Vec<_> =
+            said.filter(|(name, _)| *name != DIRECTION || !leads_there(run, list, call, inputs)).collect();
+        for (name, _) in told {
             run.tell(Severity::Warning, &Problem::new("run-not-simulated", call.span, name));
         }
     }
@@ -108,6 +112,19 @@ fn newer_list(
     let done = cycle::carry_out(run, cycle, checked, call.span);
     run.sim.control.set(newer::COARSE, before);
     done
+}
+
+/// The argument for the measuring direction: 1 plus, 2 minus.
+const DIRECTION: &str = "S_MD";
+
+/// Whether the measuring direction leads from where the probe is to the set position, as the older control measures.
+fn leads_there(run: &Interpreter, list: &ArgumentList, call: &Call, inputs: &Inputs) -> bool {
+    let index = list.args.iter().position(|arg| matches!(arg, Arg::Newer(DIRECTION, _)));
+    let direction = index.and_then(|index| call.number(index));
+    let axis = run.sim.control.plane.axes().get((inputs.integer(names::MA) % 10 - 1) as usize).copied();
+    let Some(axis) = axis else { return false };
+    let minus = inputs.number(names::SETVAL) < run.sim.position()[axis];
+    direction == Some(if minus { 2.0 } else { 1.0 })
 }
 
 /// What is not 0 goes into the data (B:11734).
@@ -161,7 +178,7 @@ fn taken(run: &Interpreter, cycle: &'static Cycle, list: &ArgumentList, call: &C
             Arg::Variable(array) => {
                 let variable = variable(call, index, array)?;
                 for (name, rest) in elements(cycle.params.iter().map(|one| one.name.as_str()), array) {
-                    typed.insert(name.to_owned(), names::read(run, &format!("{variable}{rest}"), call.span)?.exact());
+                    typed.insert(name.to_owned(), read_name(run, &format!("{variable}{rest}"), call.span)?.exact());
                 }
             }
             Arg::Param(name) => typed.extend(call.arg(index).map(|value| (name.to_string(), value.exact()))),
@@ -178,7 +195,7 @@ fn hand_back(run: &mut Interpreter, cycle: &'static Cycle, list: &ArgumentList, 
         for (name, rest) in elements(cycle.results.iter().map(|one| one.name), stem) {
             let Some(value) = run.sim.control.data.remove(name) else { continue };
             let variable = format!("{}{rest}", variable(call, index, stem)?);
-            names::write(run, &variable, &in_frame(run, rest, Datum::from(&value)), call.span)?;
+            write_name(run, &variable, &in_frame(run, rest, Datum::from(&value)), call.span)?;
         }
     }
     Ok(())

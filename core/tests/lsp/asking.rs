@@ -75,6 +75,24 @@ fn hovering_explains_values_digits_calls_alarms_and_data() {
     assert!(client.at("textDocument/hover", URI, HOLE, "Maß", 1).is_null());
 }
 
+// oracle: peer (the published list of CYCLE978: S_FA is its 6th argument, S_MD its 9th)
+#[test]
+fn hovering_explains_an_argument_of_a_newer_list() {
+    const EDGE: &str = "G17 G54 T9 D1 M6\nCYCLE978(0,,,1,-55,15,7,1,2,1)\nCYCLE996(3,1,1,25)\nM30\n";
+    let mut client = Client::english();
+    client.open(URI, EDGE);
+    for (word, into, said) in [
+        (",15,", 2, "Argument 6 of CYCLE978"),
+        (",15,", 2, "On the screen: DFA"),
+        (",2,1)", 1, "1: plus; 2: minus."),
+        (",25)", 1, "Diameter of the calibration ball"),
+    ] {
+        let told = client.at("textDocument/hover", URI, EDGE, word, into);
+        let text = told["contents"]["value"].as_str().unwrap_or_default();
+        assert!(text.contains(said), "{word} {into}: {text}");
+    }
+}
+
 // oracle: hand
 #[test]
 fn words_are_in_the_language_of_the_client() {

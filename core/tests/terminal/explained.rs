@@ -45,6 +45,16 @@ fn explain_knows_cycles_variants_data_and_alarms() {
         assert!(output.status.success(), "{}", err(&output));
         out(&output)
     };
+    // oracle: peer (the published lists and remedies of newer controls)
+    for (name, said) in [
+        ("S_KNUM1", "CYCLE977 (3)"),
+        ("cycle996", "   4  S_SETV: Diameter of the calibration ball\n"),
+        ("61444", "calibrate with it"),
+        ("SD54600", "On older controls: _WP[k,0]\n"),
+    ] {
+        let told = explained(&[name]);
+        assert!(told.contains(said), "{told}");
+    }
     let cycle = explained(&["cycle977"]);
     assert!(cycle.contains("     101  Hole: correct a zero offset\n"), "{cycle}");
     let variant = explained(&["CYCLE977", "101"]);

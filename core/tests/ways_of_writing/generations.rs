@@ -23,7 +23,8 @@ fn said(text: &str, generation: f64) -> Vec<String> {
     found.into_iter().map(|one| one.message.key.to_string()).filter(|key| key.starts_with("generation")).collect()
 }
 
-// oracle: peer (remedies of alarms separate three generations: lists only from 840D sl 2.7, 828D 4.4); hand: one finding
+// oracle: peer (remedies of alarms separate three generations: lists only from 840D sl 2.7, 828D 4.4); hand: one
+// finding
 #[test]
 fn a_program_of_another_generation_is_told_once() {
     let lists = "CYCLE977(101,1,,1,132,,,2,1)\nCYCLE977(101,2,,1,132,,,2,1)\n";
@@ -80,7 +81,7 @@ fn fine_and_coarse_are_told_by_the_number() {
     let with = |code: &str| {
         let call = format!("CYCLE978(100,{code},,1,50.5,5,5,1,2,1,\"\",,0,1,1,-1,,,0,,1,1)");
         let outcome = go(&format!("G17 G54 T9 D1 M6\nG0 X60 Y0 Z20\nZ-10\n{call}\nM30\n"));
-        assert_eq!(outcome.stop, None, "{call}");
+        assert_eq!((outcome.stop, outcome.diagnostics), (None, Vec::new()), "{call}");
         let frame = &outcome.control.frames[&1];
         [frame.fine[0], frame.coarse[0]].map(|shift| (shift * 1e6).round() / 1e6)
     };
@@ -109,7 +110,10 @@ fn a_run_stops_at_a_call_that_is_not_understood() {
 fn the_form_of_a_machine_with_lists_writes_them() {
     use probewright_core::{app, json};
     use serde_json::json;
-    let machine = |generation: i32| json!({ "control": "sinumerik", "probe": { "radius": 3, "length": 50 }, "data": { "PW-GENERATION": generation } });
+    let machine = |generation: i32| {
+        let data = json!({ "PW-GENERATION": generation });
+        json!({ "control": "sinumerik", "probe": { "radius": 3, "length": 50 }, "data": data })
+    };
     let ask = |cycle: &str, generation: i32, direction: &str| {
         let values = json!({ "_MVAR": "100", "_KNUM": "10001", "_SETVAL": "50", "_MA": "1", "_PRNUM": "1", "_FA": "2",
             "_TSA": "1", "S_MD": direction });
@@ -127,6 +131,12 @@ fn the_form_of_a_machine_with_lists_writes_them() {
         fields.iter().find(|field| field["name"] == "S_MD").cloned()
     };
     assert_eq!(field(&view).unwrap()["value"], "2");
+    let mode = json!({ "control": "sinumerik", "cycle": "CYCLE978", "written": "operate",
+        "values": { "_MVAR": "100", "_KNUM": "1", "_SETVAL": "50", "_MA": "1", "_PRNUM": "1", "_DMODE": "1" } });
+    let written = app::form(json::question(&mode.to_string()).unwrap()).unwrap();
+    assert_eq!(written.preset, Style::Operate, "a program tells its generation by what it writes");
+    let unit = |name: &str| written.fields.iter().find(|field| field.name == name).map(|field| field.unit);
+    assert_eq!([unit("_DMODE"), unit("S_MD")], [Some(""), Some("")]);
     let older = ask("CYCLE978", 1, "2");
     assert_eq!(older["preset"], "direct");
     assert!(field(&older).is_none());

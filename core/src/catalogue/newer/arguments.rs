@@ -1,5 +1,5 @@
-//! What is known of each argument of these lists beside its place: its name on the screen, what corresponds to it on the
-//! older control, and how that is known.
+//! What is known of each argument of these lists beside its place: its name on the screen, what corresponds to it on
+//! the older control, and how that is known.
 
 use crate::catalogue::CYCLES;
 use crate::entry::{Arg, ArgumentList, Param};

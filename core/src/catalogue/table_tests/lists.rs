@@ -37,8 +37,8 @@ fn parameterizing_calls_are_those_of_the_table() {
     }
 }
 
-// oracle: peer, tests/data/newer_lists.tsv (the published lists; CYCLE977, CYCLE978 and CYCLE998 agree with programs that
-// run on newer controls, argument by argument)
+// oracle: peer, tests/data/newer_lists.tsv (the published lists; CYCLE977, CYCLE978 and CYCLE998 agree with programs
+// that run on newer controls, argument by argument)
 #[test]
 fn lists_of_newer_controls_have_the_published_arguments() {
     let rows = rows(data!("newer_lists.tsv"));

@@ -68,7 +68,7 @@ pub fn list_call(program: &Program, word: &Word) -> Option<ListCall> {
     Some(ListCall { list, span: word.span, arguments: arguments.collect() })
 }
 
-/// The edit that gives an argument this text; an empty one omits it. None: nothing changes, or it is no single argument.
+/// The edit that gives an argument this text; an empty one omits it. None: nothing changes, or it is no single one.
 pub fn set(program: &Program, call: &ListCall, index: usize, text: &str) -> Option<Edit> {
     let text = text.trim();
     let own = !program.is_of_macro(call.span) && is_one_argument(text);

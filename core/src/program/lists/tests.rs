@@ -33,6 +33,7 @@ const PUBLISHED: &[&str] = &[
     "CYCLE977(104,9000,,1,32,,,10,5,0,8,1,,1,1,\"\",,0,1.01,1.01,-1.01,0.34,1,0,,1,1)",
     "CYCLE978(0,,,1,-55,15,5,1,2,1,\"\",,0,1.01,1.01,-1.01,,,,,1,1)",
     "CYCLE978(100,9000,,1,0,10,5,3,2,1,\"\",,0,1.01,1.01,-1.01,0.34,1,0,,1,1)",
+    "CYCLE977(101,10001,,1,60,,,2,1,0,-8,,,,1,\"PROBE\",,0,1.01,1.01,-1.01,0.34,1,0,,1,1)",
     "CYCLE998(100105,9000,6,1,1,0,,10,5,102,2,20,,,,,1,0,1,)",
     "CYCLE998(100105,9000,6,1,1,0,,10,5,201,1,20,,,,,1,0,1,)",
 ];
@@ -90,7 +91,7 @@ fn arguments_of_published_calls_have_their_names() {
         ])
     );
     assert_eq!(
-        named(PUBLISHED[6]),
+        named(PUBLISHED[7]),
         wanted(&[
             ("S_MVAR", "100105"),
             ("S_KNUM", "9000"),
@@ -118,8 +119,8 @@ fn published_calls_have_no_fault() {
     }
 }
 
-// oracle: peer (posts in which an argument is missing, in which the path is multiplied by 25.4, in which 1003 corrects a
-// zero offset); hand: what the call has to be
+// oracle: peer (posts in which an argument is missing, in which the path is multiplied by 25.4, in which 1003 corrects
+// a zero offset); hand: what the call has to be
 #[test]
 fn published_faults_have_a_cure() {
     let right = "CYCLE977(101,1,,1,132,,,2,1,,,,,,1,\"\",,0,1.01,1.01,-1.01,0.34,1,0,,1,1)\n";

@@ -168,13 +168,17 @@ fn arguments(source: &Source, list: &'static ArgumentList) -> Vec<(Option<Name>,
 fn newer_argument(source: &Source, argument: &Argument) -> (Option<Name>, String) {
     let own = argument.param.is_none().then(|| own_value(source, argument.name));
     let text = own.or_else(|| Some(parameter(source, &argument.param?))).unwrap_or_default();
-    let name = argument.param.or_else(|| argument.is_field().then(|| Name::new(argument.name)));
+    let name = argument.param.or_else(|| (!argument.name.is_empty()).then(|| Name::new(argument.name)));
     if !text.is_empty() {
         return (name, text);
     }
     let beside = argument.name == "_AMODE" && CENTRE.iter().any(|name| !own_value(source, name).is_empty());
-    (name, if beside { BESIDE } else { argument.usual() }.to_owned())
+    let usual = if beside { BESIDE } else { argument.usual() };
+    (name.filter(|_| usual != NO_TEXT), usual.to_owned()) // an empty text is read as no value
 }
+
+/// A text that says nothing.
+const NO_TEXT: &str = "\"\"";
 
 /// The arguments for a centre beside which the probe starts, and what `_AMODE` is with one of them.
 const CENTRE: [&str; 2] = ["S_XM", "S_YM"];

@@ -1,0 +1,40 @@
+// A call in the argument list of a newer control: its own arguments are fields, and a change touches its place only.
+import assert from "node:assert/strict";
+import { after, before, describe, test } from "node:test";
+import { shared } from "./browser.mjs";
+import { openFirstCall, programWhen, startWithAll as start, unfold } from "./start.mjs";
+
+const CALL = 'CYCLE978(100,10001,,1,50,5,5,1,2,1,"",,0,1,1,-1,,,0,,1,1,)';
+const PROGRAM = `G17 G54 T9 D1 M6\nG0 X60 Y0\n${CALL} ; edge\nG54\nM30\n`;
+
+describe("an argument list of newer controls", () => {
+  const chrome = shared("neither", { before, after });
+  const field = (page, name) => page.locator(`.field[data-field="${name}"]`);
+
+  // oracle: peer (argument 9 is the direction, 1 plus and 2 minus); hand: nothing else of the program changes
+  test("has its direction as a field, and a change of it stays in its place", async () => {
+    const { context, page, problems } = await start(chrome);
+    await openFirstCall(page, PROGRAM);
+    await unfold(page);
+    const direction = field(page, "S_MD").locator(".entry-line > .figure");
+    assert.equal(await direction.inputValue(), "2");
+    await direction.focus();
+    await page.waitForFunction(() => document.querySelector(".explain")?.textContent.includes("Argument 9"));
+    if (process.env.PICTURES) await page.screenshot({ path: `${process.env.PICTURES}/list-1280.png` });
+    await direction.fill("1");
+    await programWhen(page, now => now === PROGRAM.replace("5,5,1,2,1", "5,5,1,1,1"));
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
+  // oracle: hand (the field is named as the screen of the control names it, and says what is written beside it)
+  test("says of a field which argument it is", async () => {
+    const { context, page } = await start(chrome);
+    await openFirstCall(page, PROGRAM);
+    await unfold(page);
+    await field(page, "_FA").locator(".entry-line > .figure").focus();
+    await page.waitForFunction(() => document.querySelector(".explain")?.textContent.includes("S_FA"));
+    assert.match(await page.locator(".explain").textContent(), /Argument 6 .*DFA/);
+    await context.close();
+  });
+});
