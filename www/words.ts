@@ -12,7 +12,8 @@ const FALLBACK = "en"; // comes with the page, in two parts; another language co
 const LATER_WORDS = /^([a-z0-9-]+-(help|hint|words)|result-[a-z0-9-]+) =/;
 const LATER_FILES = [
   ..."advice alarms around braking changes datum digitizing equipment evaluate exported jog jog-program".split(" "),
-  ..."lathe lists logging machine-check nct protocol record run scenarios series setup syntax tool-probe".split(" "),
+  ..."lathe lists logging machine-check nct protocol record repeat run scenarios series setup syntax".split(" "),
+  "tool-probe",
   "twin",
 ].map(name => `${name}.ftl`);
 const OF_CYCLE = /^cycle\d+\.ftl$/;

@@ -280,6 +280,15 @@ pub fn braking(request: &str) -> Result<String, JsError> {
     Ok(json::answer(request, app::braking)?)
 }
 
+/// `RepeatRequest` → `RepeatView`.
+///
+/// # Errors
+/// A request of the wrong shape, a test that cannot be, or one that ends without values.
+#[wasm_bindgen]
+pub fn repeat(request: &str) -> Result<String, JsError> {
+    Ok(json::answer(request, app::repeat)?)
+}
+
 /// `MachineCheckRequest` → `MachineCheckView`.
 ///
 /// # Errors

@@ -16,6 +16,11 @@ export type Abilities = {
    * `data`.
    */
   rotaryCentre: [number, number, number],
+  /**
+   * How far the workpiece probe may be deflected in the directions of measuring, mm; none: not known. With MD10050,
+   * MD10070, MD32300 and MD32200 in `data` feeds beyond it are told.
+   */
+  deflection?: number,
   /** The turret of a turning machine. */
   turret: Turret,
 };
@@ -2309,6 +2314,90 @@ export type Refusal = {
   message: Message,
   /** The cure. */
   hint: Message,
+};
+
+/** What repeated touches come to, in the unit of the view. */
+export type RepeatFound = {
+  /** The values in their order. */
+  values: Array<number>,
+  /** Mean. */
+  mean: number,
+  /** Standard deviation of a sample. */
+  deviation: number,
+  /** Smallest value. */
+  smallest: number,
+  /** Largest value. */
+  largest: number,
+  /** Largest minus smallest. */
+  range: number,
+  /** Largest distance from the mean. */
+  furthest: number,
+  /** How many values lie in each interval from the smallest to the largest. */
+  intervals: Array<number>,
+  /** A straight line through them. */
+  trend?: RepeatTrend,
+  /** `_TZL` for one touch. */
+  zone: number,
+  /** `_TZL` for what two touches make. */
+  zoneOfTwo: number,
+};
+
+/** What is tested. */
+export type RepeatRequest = {
+  /** Axis that moves: `X`, `Y`, `Z`; absent: X. */
+  axis?: string,
+  /** Where the motion begins, in the unit that is active; absent: 0. */
+  from?: number,
+  /** Where it ends without a signal; absent: 50. */
+  to?: number,
+  /** Feed a minute in that unit; absent: 150 mm/min. */
+  feed?: number,
+  /** Measuring input, 1 or 2; absent: that of the workpiece probe, `_CHBIT[0]`. */
+  input?: number,
+  /** Touches; absent: 10. */
+  count?: number,
+  /** Whether the values are those of the machine system; absent: of the workpiece system. */
+  machine?: boolean,
+  /** First R parameter that keeps the values; absent: an array of the program does. */
+  parameters?: number,
+  /** Whether M6 changes the tool; absent: it does not. */
+  changes?: boolean,
+  /** Values of a real machine, with blanks between them; absent: the program is run. */
+  values?: string,
+  /** Words by key, for comments and operator texts. */
+  words?: { [key in string]: string },
+  /** Machine; absent: the core's own as it is. */
+  setup?: Machine,
+};
+
+/** A straight line through values in their order. */
+export type RepeatTrend = {
+  /** Change from one touch to the next. */
+  slope: number,
+  /** Correlation with the order, −1 to 1. */
+  correlation: number,
+  /** Student's t of it. */
+  t: number,
+  /** Whether it is one with 95 % confidence. */
+  certain: boolean,
+};
+
+/** The programs, and what the values come to. */
+export type RepeatView = {
+  /** One touch: whether the probe switches. */
+  function: string,
+  /** Repeated touches. */
+  program: string,
+  /** Keys of the words in them. */
+  says: Array<string>,
+  /** `mm` or `inch`. */
+  unit: string,
+  /** What the values come to, a line each. */
+  told: Array<Message>,
+  /** What should be known beside it. */
+  notes: Array<Message>,
+  /** What the values come to. */
+  found: RepeatFound,
 };
 
 /** An expression of a call that another value would take the place of. */

@@ -29,6 +29,7 @@ mod program;
 mod program_text;
 mod protocol;
 mod record;
+mod repeat;
 mod run;
 mod scan;
 mod scenario;
@@ -80,6 +81,7 @@ pub use program::{Arrival, CallView, ProgramParameter, ProgramPlace, ReadRequest
 pub use program_text::ProgramText;
 pub use protocol::{Arrow, ProtocolColumns, ProtocolRequest, ProtocolView, UnfitLine, laid, protocol};
 pub use record::{CalibrationState, ProbeOfCall, Record, RecordAbout, RecordFile, csv};
+pub use repeat::{RepeatFound, RepeatRequest, RepeatTrend, RepeatView, repeat, repeat_on};
 pub use run::{OfCall, Run, RunAlarm, RunAnswer, RunAssumed, RunDecision, RunRequest, RunResult, RunView};
 pub use scan::{Scan, ScanRequest, ScanView, SurfaceChoice, put_surface};
 pub use scenario::{

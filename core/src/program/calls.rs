@@ -12,6 +12,7 @@ use super::flow::{Forces, State, follow};
 use super::held::{ALTERNATIVES, Names, Values};
 use super::tools::{ToolInUse, Tools};
 use super::write::is_expression;
+use crate::catalogue::Functions;
 use crate::control::{Control, Plane, Transverse, UnitFunction, delivery};
 use crate::diagnostic::{Diagnostic, Span};
 use crate::entry::{ArgumentList, Cycle, Style, Typed};
@@ -172,6 +173,7 @@ pub fn calls_told(program: &Program, control: Control, told: &mut dyn FnMut(f64)
         names: Names::of(program),
         arrays: HashMap::new(),
         tools: Tools { start: control.clone() },
+        functions: Functions::of(&control),
         control,
         found: Found::default(),
         first_numbers: HashMap::new(),
@@ -202,6 +204,8 @@ struct Walk<'a> {
     /// Arrays that the program declares, with their sizes.
     arrays: HashMap<String, Vec<usize>>,
     tools: Tools,
+    /// By which functions the machine calls the macros of NCT.
+    functions: Functions,
     control: Control,
     found: Found,
     /// Worth of right sides on their first pass, where a later one may bring another number, by their first byte.

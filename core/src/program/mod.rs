@@ -17,6 +17,7 @@ mod held;
 pub mod of_control;
 mod own_words;
 pub mod places;
+pub mod probe_test;
 pub mod revise;
 pub mod standard;
 pub mod tools;

@@ -72,6 +72,7 @@ machine-data-delivered = { $value } (Vorbesetzung)
 machine-data-assignments = Als Programm kopieren
 machine-data-definitions = Als Definitionen kopieren
 exported-title = Maschine prüfen
+repeat-title = Messtaster testen
 machine-data-reset = Alles auf Vorbesetzung
 machine-data-close = Fertig
 machine-data-idle = In der Simulation ohne Wirkung.

@@ -72,6 +72,7 @@ machine-data-delivered = { $value } (default)
 machine-data-assignments = Copy as program
 machine-data-definitions = Copy as definitions
 exported-title = Check a machine
+repeat-title = Test a probe
 machine-data-reset = Reset to defaults
 machine-data-close = Done
 machine-data-idle = No effect in the simulation.

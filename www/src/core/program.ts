@@ -35,6 +35,8 @@ import type {
   ReadRequest,
   ReadView,
   Recognised,
+  RepeatRequest,
+  RepeatView,
   RunRecord,
   RunRequest,
   SeriesRequest,
@@ -114,6 +116,7 @@ export interface ProgramCore extends FormCore {
   /** `why`: there is no such axis. */
   braking(request: BrakingRequest): BrakingView | { why: string };
   /** `why`: nothing of it can be checked. */
+  repeat(request: RepeatRequest): RepeatView | { why: string };
   machineCheck(request: MachineCheckRequest): MachineCheckView | { why: string };
   /** What a series begins with; `why`: the machine cannot be. */
   seriesStart(request: SeriesQuestion): SeriesStart | { why: string };
@@ -305,6 +308,7 @@ export async function loadProgramCore(): Promise<ProgramCore> {
     equip: request => JSON.parse(call("equip", () => wasm.equip(JSON.stringify(request)))) as EquipView,
     story: request => JSON.parse(call("story", () => wasm.story(JSON.stringify(request)))) as Story,
     braking: request => orWhy<BrakingView>(() => wasm.braking(JSON.stringify(request))),
+    repeat: request => orWhy<RepeatView>(() => wasm.repeat(JSON.stringify(request))),
     machineCheck: request => orWhy<MachineCheckView>(() => wasm.machine_check(JSON.stringify(request))),
     seriesStart: request => orWhy<SeriesStart>(() => wasm.series_start(JSON.stringify(request))),
     machine: request => JSON.parse(call("machine", () => wasm.machine(JSON.stringify(request)))) as MachineView,

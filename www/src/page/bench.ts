@@ -126,6 +126,12 @@ export function createBench(parts: Parts): Bench {
   const checkMachine = (): void => {
     void import("../views/machine-check").then(({ openMachineCheck }) => openMachineCheck(core, stop.signal));
   };
+  const repeat = (): void => {
+    const [now, has] = [shown, core()];
+    if (!now || !has) return;
+    const setup = machineTo(now.state, now.derived.view);
+    void import("../views/repeat").then(({ openRepeat }) => openRepeat(has, setup, stop.signal));
+  };
   const series = (): void => {
     const [now, has] = [shown, core()];
     if (!now || !has) return;
@@ -142,6 +148,7 @@ export function createBench(parts: Parts): Bench {
     machine: () => later()?.equipment.open(),
     machineData: () => later()?.machineData.open(),
     machineCheck: checkMachine,
+    repeat,
     series,
     importSetup: () => setupFile.click(),
     exportSetup: () => exportSetup(store, shown?.derived.view.setup),
@@ -152,7 +159,7 @@ export function createBench(parts: Parts): Bench {
   const later = behind(
     pieces => {
       pieces.createSheet(stage, () => shown, stop.signal);
-      const machineData = pieces.createMachineData(store, actions, core, checkMachine);
+      const machineData = pieces.createMachineData(store, actions, core, { check: checkMachine, repeat });
       const difference = pieces.createDifference(actions);
       const palette = pieces.createPalette(
         store,

@@ -74,12 +74,12 @@ function citedText({ name, key, set, source }: MachineField): string {
 
 const choiceText = (key: string, value: number): string => `${plain(value)} · ${optional(`${key}.v${value}`)}`;
 
-/** `check`: holds what a control exported against what measuring needs. */
+/** Ways from here: `check` holds what a control exported against what measuring needs, `repeat` tests a probe. */
 export function createMachineData(
   store: Store,
   actions: Actions,
   core: () => ProgramCore | null,
-  check: () => void,
+  ways: { check(): void; repeat(): void },
 ): MachineData {
   const search = el("input", {
     type: "search",
@@ -101,6 +101,7 @@ export function createMachineData(
   const definitions = el("button", { type: "button" }, t("machine-data-definitions"));
   const reset = el("button", { type: "button" }, t("machine-data-reset"));
   const checking = el("button", { type: "button" }, t("exported-title"));
+  const repeating = el("button", { type: "button" }, t("repeat-title"));
   const dialog = el(
     "dialog",
     { class: "machine-data", "aria-labelledby": "machine-data-title" },
@@ -120,7 +121,7 @@ export function createMachineData(
     ),
     list,
     cited,
-    el("div", { class: "actions" }, checking, assignments, definitions, reset, close),
+    el("div", { class: "actions" }, checking, repeating, assignments, definitions, reset, close),
   );
   document.body.append(dialog);
 
@@ -219,7 +220,11 @@ export function createMachineData(
   on(close, "click", () => dialog.close());
   on(checking, "click", () => {
     dialog.close();
-    check();
+    ways.check();
+  });
+  on(repeating, "click", () => {
+    dialog.close();
+    ways.repeat();
   });
   on(assignments, "click", () => void copyText(view?.assignments ?? "", store, "notice-copied"));
   on(definitions, "click", () => void copyText(view?.definitions ?? "", store, "notice-copied"));

@@ -17,6 +17,7 @@ mod progress;
 mod protocol;
 mod read;
 mod record;
+mod repeat;
 mod run;
 mod scan;
 mod series;
@@ -65,6 +66,7 @@ enum Command {
     Jog(jog::Arguments),
     Machine(machine::Arguments),
     Braking(braking::Arguments),
+    Repeat(repeat::Arguments),
     Lsp,
 }
 
@@ -115,6 +117,7 @@ fn run_command(command: Command, lang: Option<&str>, words: &Words, out: &mut dy
         Command::Series(asked) => series::series(&asked, words, out),
         Command::Test(asked) => test::test(&asked, words, out),
         Command::Jog(asked) => jog::jog(&asked, words, out),
+        Command::Repeat(asked) => repeat::repeat(&asked, words, out),
         Command::Braking(asked) => braking::braking(&asked, words, out),
         Command::Machine(asked) => machine::machine(&asked, words, out),
         // words of its own: the client may ask for another language

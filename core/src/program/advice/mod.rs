@@ -3,6 +3,7 @@
 mod at_call;
 mod behind;
 mod inherited;
+mod nct;
 mod read_back;
 mod subprograms;
 mod unsaid;
@@ -55,7 +56,11 @@ pub fn advice(program: &Program, sites: &[CallSite], control: &Control) -> Vec<D
     let programs = programs(program);
     subprograms::outside(program, &programs, &mut found);
     subprograms::misnamed(program, &programs, &mut found);
-    if program.grammar().by_address || sites.is_empty() {
+    if program.grammar().by_address {
+        nct::look(program, &programs, sites, &mut found);
+        return found;
+    }
+    if sites.is_empty() {
         return found;
     }
     let mut asked = at_call::Asked::of(program);
