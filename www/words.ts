@@ -15,6 +15,7 @@ const LATER_FILES = [
   ..."lathe lists logging machine-check nct protocol record repeat run scenarios series setup syntax".split(" "),
   "tool-probe",
   "twin",
+  "user-programs",
 ].map(name => `${name}.ftl`);
 const OF_CYCLE = /^cycle\d+\.ftl$/;
 const TERMINAL = "report.ftl"; // never shown in the page

@@ -235,6 +235,10 @@ sentences! {
     REVISE_TAKEN 193 Note "revise-taken" "";
     REVISE_KEPT 193 Note "revise-kept" "";
     REVISE_SHARED 193 Note "revise-shared" "";
+    RUNS_BEFORE 194 Note "user-program-runs-before" "";
+    RUNS_BEFORE_WHOLE 194 Note "user-program-runs-before-whole" "";
+    RUNS_BEHIND 194 Note "user-program-runs-behind" "";
+    RUNS_BEHIND_WHOLE 194 Note "user-program-runs-behind-whole" "";
 }
 
 #[cfg(all(test, feature = "cli"))]

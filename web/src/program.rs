@@ -289,6 +289,15 @@ pub fn repeat(request: &str) -> Result<String, JsError> {
     Ok(json::answer(request, app::repeat)?)
 }
 
+/// `UserProgramsRequest` → `UserProgramsView`.
+///
+/// # Errors
+/// A request of the wrong shape, or a line that cannot stand there.
+#[wasm_bindgen]
+pub fn user_programs(request: &str) -> Result<String, JsError> {
+    Ok(json::answer(request, app::user_programs)?)
+}
+
 /// `MachineCheckRequest` → `MachineCheckView`.
 ///
 /// # Errors

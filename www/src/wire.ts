@@ -345,7 +345,10 @@ export type CallView = {
   units: UnitFunction,
   /** What is wrong with it. */
   diagnostics: Array<Diagnostic>,
-  /** Notes at values that come from other programs of the text, or differ by the way to the call. */
+  /**
+   * Notes at values that come from other programs of the text, or differ by the way to the call; without a parameter
+   * those about the user's programs that run before and after it.
+   */
   arrivals: Array<Diagnostic>,
 };
 
@@ -3454,6 +3457,50 @@ export type UnitFunction = "G20" | "G21" | "G70" | "G71" | "G700" | "G710";
 
 /** What a machine measures with. */
 export type Use = "cycles" | "jog" | "log" | "tool-probe";
+
+/** Lines of a cycle. */
+export type UserBranch = {
+  /** The cycle. */
+  cycle: string,
+  /** Lines before its measurement. */
+  before: string,
+  /** Lines behind it. */
+  behind: string,
+};
+
+/** A cycle that can be chosen. */
+export type UserLabel = {
+  /** The cycle. */
+  cycle: string,
+  /** Stem of its messages. */
+  key: string,
+  /** Label of its lines. */
+  label: string,
+};
+
+/** Which cycles get lines of their own. */
+export type UserProgramsRequest = {
+  /** The cycles that were chosen. */
+  branches: Array<UserBranch>,
+  /** Variable of the CASE in the delivered file; absent: lines to insert are written. */
+  variable?: string,
+  /** Words by key, for comments: of `user-program-before-line` and `user-program-behind-line` for each cycle. */
+  words?: { [key in string]: string },
+};
+
+/** The two programs. */
+export type UserProgramsView = {
+  /** Cycles that can be chosen. */
+  labels: Array<UserLabel>,
+  /** CYCLE198; empty: nothing is chosen. */
+  before: string,
+  /** CYCLE199. */
+  behind: string,
+  /** What should be known beside them. */
+  notes: Array<Message>,
+  /** Places in the manual. */
+  sources: [string, string],
+};
 
 /** Values of a variant as typed, by parameter name. */
 export type Values = {

@@ -39,6 +39,7 @@ mod story;
 mod supply;
 mod trace;
 mod twin;
+mod user_programs;
 mod written;
 
 pub use crate::refused::Refused as Error;
@@ -98,6 +99,7 @@ pub use supply::{NewTool, Offer, Supply};
 pub use trace::columns::{Columns, columns, others};
 pub use trace::{Trace, happened};
 pub use twin::{Shared, TwinView};
+pub use user_programs::{CYCLE, UserBranch, UserLabel, UserProgramsRequest, UserProgramsView, user_programs};
 pub use written::WrittenFile;
 
 use crate::control::{Control, UnitFunction};

@@ -73,6 +73,7 @@ machine-data-assignments = Als Programm kopieren
 machine-data-definitions = Als Definitionen kopieren
 exported-title = Maschine prüfen
 repeat-title = Messtaster testen
+user-program-title = Zeilen um Messzyklen
 machine-data-reset = Alles auf Vorbesetzung
 machine-data-close = Fertig
 machine-data-idle = In der Simulation ohne Wirkung.

@@ -73,6 +73,7 @@ machine-data-assignments = Copy as program
 machine-data-definitions = Copy as definitions
 exported-title = Check a machine
 repeat-title = Test a probe
+user-program-title = Lines around measuring cycles
 machine-data-reset = Reset to defaults
 machine-data-close = Done
 machine-data-idle = No effect in the simulation.

@@ -73,6 +73,7 @@ machine-data-assignments = 复制为程序
 machine-data-definitions = 复制为定义
 exported-title = 检查机床
 repeat-title = 测试测头
+user-program-title = 测量循环前后的程序行
 machine-data-reset = 全部恢复默认值
 machine-data-close = 完成
 machine-data-idle = 在模拟中不起作用。

@@ -132,6 +132,10 @@ export function createBench(parts: Parts): Bench {
     const setup = machineTo(now.state, now.derived.view);
     void import("../views/repeat").then(({ openRepeat }) => openRepeat(has, setup, stop.signal));
   };
+  const userPrograms = (): void => {
+    const has = core();
+    if (has) void import("../views/user-programs").then(({ openUserPrograms }) => openUserPrograms(has, stop.signal));
+  };
   const series = (): void => {
     const [now, has] = [shown, core()];
     if (!now || !has) return;
@@ -149,6 +153,7 @@ export function createBench(parts: Parts): Bench {
     machineData: () => later()?.machineData.open(),
     machineCheck: checkMachine,
     repeat,
+    userPrograms,
     series,
     importSetup: () => setupFile.click(),
     exportSetup: () => exportSetup(store, shown?.derived.view.setup),
@@ -159,7 +164,7 @@ export function createBench(parts: Parts): Bench {
   const later = behind(
     pieces => {
       pieces.createSheet(stage, () => shown, stop.signal);
-      const machineData = pieces.createMachineData(store, actions, core, { check: checkMachine, repeat });
+      const machineData = pieces.createMachineData(store, actions, core, { check: checkMachine, repeat, userPrograms });
       const difference = pieces.createDifference(actions);
       const palette = pieces.createPalette(
         store,

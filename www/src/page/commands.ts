@@ -24,6 +24,7 @@ export interface Does {
   machineData(): void;
   machineCheck(): void;
   repeat(): void;
+  userPrograms(): void;
   series(): void;
   importSetup(): void;
   exportSetup(): void;
@@ -127,6 +128,7 @@ function ofView(
     { id: "machine-data", title: t("machine-data-title"), run: does.machineData },
     { id: "machine-check", title: t("exported-title"), run: does.machineCheck },
     { id: "repeat", title: t("repeat-title"), run: does.repeat },
+    { id: "user-programs", title: t("user-program-title"), run: does.userPrograms },
     { id: "series", title: t("runs-title"), run: does.series },
     { id: "twin", title: t("twin-open"), run: () => store.update({ snippet: { twin: !snippet.twin } }) },
     { id: "link", title: t("link-copy"), run: () => void copyLink(store) },

@@ -23,6 +23,7 @@ mod scan;
 mod series;
 mod stream;
 mod test;
+mod user_programs;
 mod write;
 
 use clap::{Parser, Subcommand};
@@ -67,6 +68,7 @@ enum Command {
     Machine(machine::Arguments),
     Braking(braking::Arguments),
     Repeat(repeat::Arguments),
+    UserPrograms(user_programs::Arguments),
     Lsp,
 }
 
@@ -117,6 +119,7 @@ fn run_command(command: Command, lang: Option<&str>, words: &Words, out: &mut dy
         Command::Series(asked) => series::series(&asked, words, out),
         Command::Test(asked) => test::test(&asked, words, out),
         Command::Jog(asked) => jog::jog(&asked, words, out),
+        Command::UserPrograms(asked) => user_programs::user_programs(&asked, words, out),
         Command::Repeat(asked) => repeat::repeat(&asked, words, out),
         Command::Braking(asked) => braking::braking(&asked, words, out),
         Command::Machine(asked) => machine::machine(&asked, words, out),
