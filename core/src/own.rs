@@ -235,10 +235,17 @@ sentences! {
     REVISE_TAKEN 193 Note "revise-taken" "";
     REVISE_KEPT 193 Note "revise-kept" "";
     REVISE_SHARED 193 Note "revise-shared" "";
-    RUNS_BEFORE 194 Note "user-program-runs-before" "";
-    RUNS_BEFORE_WHOLE 194 Note "user-program-runs-before-whole" "";
-    RUNS_BEHIND 194 Note "user-program-runs-behind" "";
-    RUNS_BEHIND_WHOLE 194 Note "user-program-runs-behind-whole" "";
+    NEWER_LOST 194 Error "newer-lost" "newer-lost-hint";
+    NEWER_MANY 194 Error "newer-many" "newer-many-hint";
+    NEWER_INCH 195 Warning "newer-inch" "newer-inch-hint";
+    WRITE_DIRECTION 196 Warning "write-direction" "write-direction-hint";
+    WRITE_INFEED 196 Warning "write-infeed" "write-infeed-hint";
+    GENERATION_LIST 197 Warning "generation-list" "generation-list-hint";
+    GENERATION_ASSIGNED 197 Warning "generation-assigned" "generation-assigned-hint";
+    RUNS_BEFORE 198 Note "user-program-runs-before" "";
+    RUNS_BEFORE_WHOLE 198 Note "user-program-runs-before-whole" "";
+    RUNS_BEHIND 198 Note "user-program-runs-behind" "";
+    RUNS_BEHIND_WHOLE 198 Note "user-program-runs-behind-whole" "";
 }
 
 #[cfg(all(test, feature = "cli"))]

@@ -4,7 +4,7 @@
 use probewright_core::catalogue::{CYCLES, find};
 use probewright_core::control::delivery;
 use probewright_core::dialect::Dialect;
-use probewright_core::entry::{Arg, Kind, Style, Typed};
+use probewright_core::entry::{Kind, Style, Typed};
 use probewright_core::program::calls::{CallSite, calls};
 use probewright_core::program::change::{apply, change};
 use probewright_core::program::write::snippet;
@@ -231,7 +231,7 @@ proptest! {
         if cycle.dialect == Dialect::Sinumerik {
             let arguments = sites[0].list.map_or(0, |list| {
                 let written = |name: &str| sites[0].values.contains_key(name);
-                list.args.iter().filter(|arg| matches!(arg, Arg::Param(name) if written(name.as_str()))).count()
+                list.args.iter().filter(|arg| arg.param().is_some_and(|name| written(name.as_str()))).count()
             });
             prop_assert_eq!(written, text.matches('=').count() + arguments, "every value is read: {}", text);
         }

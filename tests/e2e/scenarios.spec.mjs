@@ -22,6 +22,18 @@ async function pick(page, files) {
   await (await chooser).setFiles(files);
 }
 
+/** What a source begins with, and how many there are at least: each names chapters of a manual. */
+const IN_ENGLISH = [
+  [/^Worked example: .+\d{4}, \d/, 45],
+  [/^Figures: .+\d{4}, \d/, 15],
+  [/^Closed loop: .+\d{4}, \d/, 35],
+];
+const IN_GERMAN = [
+  [/^Beispiel: .+\d{4}, \d/, 45],
+  [/^Zahlen: .+\d{4}, \d/, 15],
+  [/^Gegenprobe: .+\d{4}, \d/, 35],
+];
+
 describe("scenarios", () => {
   const chrome = shared("neither", { before, after });
 
@@ -64,9 +76,9 @@ describe("scenarios", () => {
 
   // oracle: manual (each of the built-in cases says where its figures come from)
   test("that are built in prove the installation, in every language", async () => {
-    for (const [locale, menuName, check, words] of [
-      ["en-GB", "About", "Check this installation", /^Passed: (\d+) of \1$/],
-      ["de-DE", "Info", "Installation prüfen", /^Bestanden: (\d+) von \1$/],
+    for (const [locale, menuName, check, words, kinds] of [
+      ["en-GB", "About", "Check this installation", /^Passed: (\d+) of \1$/, IN_ENGLISH],
+      ["de-DE", "Info", "Installation prüfen", /^Bestanden: (\d+) von \1$/, IN_GERMAN],
     ]) {
       const { context, page, problems } = await start(chrome, { locale });
       await menu(page, menuName);
@@ -75,7 +87,11 @@ describe("scenarios", () => {
       await page.locator(".scenarios progress").waitFor({ state: "detached", timeout: 60_000 });
       assert.match(await page.locator(".scenarios-outcome strong").textContent(), words);
       await counts(page.locator('.scenarios-list > li[data-good="false"]'), 0);
-      assert.ok((await page.locator(".scenarios-list > li").count()) >= 49);
+      assert.ok((await page.locator(".scenarios-list > li").count()) >= 107);
+      const sources = await page.locator(".scenario-source").allTextContents();
+      for (const [source, least] of kinds) {
+        assert.ok(sources.filter(one => source.test(one)).length >= least, `${source}: ${sources}`);
+      }
       assert.deepEqual(problems, []);
       await context.close();
     }

@@ -17,23 +17,35 @@ describe("a series of parts", () => {
     await page.locator(".palette-item", { hasText: "Series of parts" }).first().click();
     const shown = page.getByRole("dialog", { name: "Series of parts" });
     await shown.getByRole("button", { name: "Example: mean value" }).click();
-    await shown.getByText("10 parts are done.").waitFor();
+    await shown.getByText("10 parts, 10 to the end of the program, seed 1").waitFor();
     await shown.getByLabel("Parts", { exact: true }).fill("20");
     await shown.getByRole("button", { name: "Run series" }).click();
-    await shown.getByText("20 parts are done.").waitFor();
-    const cells = await shown
-      .locator("table")
-      .evaluateAll(tables =>
-        tables.map(({ tBodies: [body] }) => [...body.rows].map(row => [...row.cells].map(cell => cell.textContent))),
-      );
-    const [third, first] = cells;
-    assert.deepEqual([third.length, first.length], [20, 20]);
-    assert.deepEqual(third[2].slice(0, 2), ["3", "50.060"]);
-    const means = third.map(row => row[3]);
+    await shown.getByText("20 parts, 20 to the end of the program, seed 1").waitFor();
+    const tables = await shown.locator("table").evaluateAll(all =>
+      all.map(({ tHead, tBodies: [body] }) => {
+        const texts = row => [...row.cells].map(cell => cell.textContent);
+        return { heads: texts(tHead.rows[0]), rows: [...body.rows].map(texts) };
+      }),
+    );
+    const column = ({ heads, rows }, words) => {
+      const at = heads.findIndex(head => head.includes(words));
+      return rows.map(row => row[at]);
+    };
+    const [third, first] = tables;
+    assert.deepEqual([third.rows.length, first.rows.length], [20, 20]);
+    assert.deepEqual(third.rows[2].slice(0, 2), ["3", "50.060"]);
+    const means = column(third, "_MV[0]");
     assert.deepEqual([means[0], means[1], means[6], means[7], means[8]], ["0.010", "0.023", "0.000", "0.010", "0.030"]);
-    const changes = rows => rows.filter((row, at) => row[2] !== (at ? rows[at - 1][2] : "0.000")).length;
-    assert.ok(changes(first) > changes(third), `${changes(first)} corrections, with weight 3 ${changes(third)}`);
-    await counts(shown.locator("figure.series-chart svg[role=img]"), 4);
+    const changes = sums => sums.filter((sum, at) => sum !== (at ? sums[at - 1] : "0.000")).length;
+    const [seldom, often] = [changes(column(third, "T20")), changes(column(first, "T21"))];
+    assert.ok(often > seldom && seldom > 0, `${often} corrections, with weight 3 ${seldom}`);
+    await counts(shown.locator("figure.series-chart svg[role=slider]"), 4);
+    const chart = shown.getByRole("slider").first();
+    await chart.focus();
+    await page.keyboard.press("ArrowRight");
+    await page.keyboard.press("ArrowRight");
+    await shown.getByText(/^Part 3 · Actual value 50\.060\smm · Setpoint 50\.000\smm/).waitFor();
+    assert.match(await chart.getAttribute("aria-valuetext"), /^Part 3 · /);
     await shown.getByText("No alarm.").waitFor();
     await page.addScriptTag({ path: axe });
     const wrong = await page.evaluate(() => window.axe.run("dialog.series").then(({ violations }) => violations));

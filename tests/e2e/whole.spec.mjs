@@ -1,5 +1,6 @@
 // Whole programs: the outline of their calls, warnings with their remedies, and call styles.
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { after, before, describe, test } from "node:test";
 import { counts, shared } from "./browser.mjs";
 import { convert, focused, fromPageMenu, openProgram, programWhen, startWithEditor as start } from "./start.mjs";
@@ -260,6 +261,33 @@ describe("the measurements of a whole program", () => {
       assert.ok(lines[1].includes(`CYCLE977${comma}`), lines[1]);
       await context.close();
     }
+  });
+
+  // oracle: hand: without scatter nothing is uncertain; JCGM 100, eq. 10: two touches and two of the calibration make u of
+  // a diameter 2σ; it is 0.03 mm too large, which is its limit
+  test("get their certainty on a machine whose probe scatters", async () => {
+    const { context, page, problems } = await start(chrome);
+    const certainty = page.getByRole("button", { name: "Certainty" });
+    for (const scatter of [0, 0.001]) {
+      const setup = JSON.parse(readFileSync(new URL("../../docs/setup.example.json", import.meta.url), "utf8"));
+      setup.probe.repeatability = [scatter, 1];
+      const buffer = Buffer.from(JSON.stringify(setup));
+      await page
+        .locator(".top input[type=file]")
+        .setInputFiles({ name: "setup.json", mimeType: "application/json", buffer });
+      await page.locator('.notice:has-text("Setup opened.")').waitFor();
+      if (!scatter)
+        await whole(page, `G17 G54\nT9 D1 M6\nG0 X180 Y130\nZ20\n${VALUES} _TMV=0.02 _TDIF=0.06\nCYCLE977\nM30\n`);
+      await row(page).first().waitFor();
+      await certainty.click();
+      const told = scatter ? "Neither good nor bad: 1." : "Nothing spreads here";
+      await page.locator(".whole-certain").getByText(told).waitFor();
+    }
+    const [, expanded] = (await row(page).locator(".cell-actual").textContent()).match(/±(0\.00\d\d)/);
+    assert.ok(Math.abs(Number(expanded) - 0.004) < 0.0008, expanded);
+    assert.match(await row(page).locator(".verdict").getAttribute("title"), /Neither good nor bad is proven\. good \d/);
+    assert.deepEqual(problems, []);
+    await context.close();
   });
 
   // oracle: hand

@@ -95,6 +95,16 @@ pub fn series(request: &str) -> Result<String, JsError> {
     Ok(json::answer(request, |asked| app::series_of(asked, &mut |share| tell(share)))?)
 }
 
+/// `WholeCertaintyRequest` → `WholeCertainty`: how certain each measurement of a program is; it says on the way how far it
+/// is, as `read` does.
+///
+/// # Errors
+/// A request of the wrong shape, or a machine that cannot be.
+#[wasm_bindgen]
+pub fn whole_certainty(request: &str) -> Result<String, JsError> {
+    Ok(json::answer(request, |asked| app::certainty_of(asked, &mut |share| tell(share)))?)
+}
+
 /// `SeriesRequest` → `SeriesStart`: what its fields hold at first.
 ///
 /// # Errors
@@ -220,7 +230,8 @@ impl Held {
         Held(self.0.clone())
     }
 
-    /// What the function of this name says of this text: `read`, `change`, `convert`, `cure`, `equip` or `series`.
+    /// What the function of this name says of this text: `read`, `change`, `convert`, `cure`, `equip`, `series` or
+    /// `whole_certainty`.
     ///
     /// # Errors
     /// Another name, a request of the wrong shape, or what the function itself refuses.
@@ -236,6 +247,9 @@ impl Held {
             "equip" => json::answer(request, |asked| app::equip(app::EquipRequest { text, ..asked })),
             "series" => json::answer(request, |asked| {
                 app::series_of(app::SeriesRequest { text, ..asked }, &mut |share| tell(share))
+            }),
+            "whole_certainty" => json::answer(request, |asked| {
+                app::certainty_of(app::WholeCertaintyRequest { text, ..asked }, &mut |share| tell(share))
             }),
             _ => return Err(JsError::new(what)),
         };

@@ -309,6 +309,16 @@ export type BrakingView = {
 /** Whence the calibration of a probe. */
 export type CalibrationState = "calibrates" | "run" | "stored" | "differs";
 
+/** A call and how certain it is. */
+export type CallCertainty = {
+  /** What it measures, as far as it spreads. */
+  figures: Array<Certain>,
+  /** Line of the call, from 1. */
+  line?: number,
+  /** Cycle that is called. */
+  cycle?: string,
+};
+
 /** A measuring call of a program. */
 export type CallView = {
   /** Control. */
@@ -1049,6 +1059,8 @@ export type Field = {
   required: boolean,
   /** Why it is required or optional. */
   reason: Message,
+  /** Which argument of the list of a newer control it is, where the call is written so. */
+  argument?: Message,
   /** Place in the manual. */
   source: Cited,
 } & ({ "kind": "real",
@@ -2992,8 +3004,20 @@ export type SeriesMemory = {
   name: string,
   /** Whether it is a mean value, else an empirical value. */
   mean: boolean,
-  /** Its value after each of the first 1000 runs, mm, as stored. */
+  /** Unit of the call. */
+  unit: string,
+  /** Its value after each of the first 1000 runs, in that unit. */
   course: Array<number>,
+};
+
+/** Something that can vary. */
+export type SeriesName = {
+  /** Its name in the setup file. */
+  name: string,
+  /** In words. */
+  label: Message,
+  /** Which part of those on the machine, from 1; absent: it is of the probe. */
+  part?: number,
 };
 
 /** A program to be run many times. */
@@ -3032,8 +3056,8 @@ export type SeriesShare = {
 export type SeriesStart = {
   /** That of the machine. */
   series: Series,
-  /** What can vary of its probe and parts. */
-  names: Array<string>,
+  /** What can vary of its parts and probe. */
+  names: Array<SeriesName>,
   /** How to choose the limits of a correction, a paragraph each. */
   help: Array<Message>,
   /** The example of the manual. */
@@ -3083,7 +3107,8 @@ export type Setup = {
   /**
    * What differs from delivery in user data, R parameters, machine data, # variables: `_WP[0,1]`, `_CHBIT[4]`,
    * `R10`, `MD18600`, `#500`; `PW-FORMS`, 1 where `_MZ_MASK` decides forms and
-   * code; `PW-JOG`, 1 where measuring in JOG has the masks up to SW 6.2.
+   * code; `PW-JOG`, 1 where measuring in JOG has the masks up to SW 6.2; `PW-GENERATION`, 1 to 3, the generation of
+   * the control.
    */
   data: { [key in string]: Datum },
   /**
@@ -3108,6 +3133,8 @@ export type Setup = {
   skip: Array<number>,
   /** What varies where a program is run many times: `probewright series`. */
   series?: Series,
+  /** How well the temperature of the part is known: a part of how uncertain a measured length is. */
+  temperature?: Temperature,
 };
 
 /** How bad it is. */
@@ -3292,6 +3319,14 @@ export type Surface = { "example": {
 /** What replaces a surface, as large as that. */
 export type SurfaceChoice = { "example": string } | { "picture": number } | "stl";
 
+/** How well the temperature of the part is known. It has no effect on a run; it makes measured lengths uncertain. */
+export type Temperature = {
+  /** Standard deviation of its temperature from that for which the setpoints hold, K. 0: it is that temperature. */
+  spread: number,
+  /** How much it grows, µm per m and K. */
+  expansion: number,
+};
+
 /** A tool. */
 export type ToolData = {
   /** Name under tool management. */
@@ -3347,7 +3382,7 @@ export type ToolView = {
 };
 
 /** A section of a form; sections are shown in this order. */
-export type Topic = "task" | "correction" | "approach" | "tolerances" | "statistics" | "probe";
+export type Topic = "task" | "correction" | "approach" | "tolerances" | "statistics" | "probe" | "list";
 
 /** A diameter as the control reads it, mm. */
 export type Touched = {
@@ -3578,6 +3613,34 @@ export type Verdict = "within" | "beyond" | "rework" | "scrap" | "alarm" | "stop
 
 /** From where the drawing is seen. */
 export type View = "plane" | "section";
+
+/** How certain the measurements of a program are. */
+export type WholeCertainty = {
+  /** How many runs; 0: nothing spreads, or nothing is measured. */
+  runs: number,
+  /** Share of them that did not come to the end. */
+  stopped: number,
+  /** For each measuring call of the run, in order. */
+  calls: Array<CallCertainty>,
+};
+
+/** A program whose measurements are to be judged. */
+export type WholeCertaintyRequest = {
+  /** Control. */
+  control: Dialect,
+  /** Text of the program. */
+  text: ProgramText,
+  /** Machine; absent: the core's own as it is. */
+  setup?: Machine,
+  /** Which program of the text is run, by its name; absent: the first. */
+  program?: string,
+  /** Files beside the program; absent: none. */
+  with?: Array<Beside>,
+  /** How many runs, up to 10 000; absent: 400. */
+  runs?: number,
+  /** Seed of all random numbers; absent: 1. */
+  seed?: number,
+};
 
 /** A file that a run left on the control: the log of measurements. */
 export type WrittenFile = {

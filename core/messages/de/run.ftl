@@ -115,6 +115,7 @@ supply-parts = Werkstücke des Programms aufspannen
 scenario-file = { $path }: Die Datei { $name } fehlt
 scenario-variable = { $path }: Werkzeug- oder Framedaten { $name } gibt es nicht
 scenario-replace = „{ $text }“ steht nicht im Programm.
+scenario-fault = diesem Fehler
 scenario-stopped = Das Programm hält mit { $found } an, statt sein Ende zu erreichen.
 scenario-not-stopped = Das Programm erreicht sein Ende, statt mit { $expected } anzuhalten.
 scenario-stopped-otherwise = Das Programm hält mit { $found } an, nicht mit { $expected }.

@@ -8,9 +8,25 @@ series-share = { $count } ({ $share } ± { $error } %)
 series-uncorrected = Dieselben Teile ohne Korrektur:
 series-no-alarm = Kein Alarm in { $runs } Läufen: mit 95 % Sicherheit weniger als { $most } %.
 
+series-tilt-x = Drehung um X, Abweichung
+series-tilt-y = Drehung um Y, Abweichung
+series-tilt-z = Drehung um Z, Abweichung
+series-taper = Konizität
+series-out-of-round = Unrundheit
+series-ball-radius = Kugelradius
+
 certainty-touch = Wiederholgenauigkeit des Messtasters
 certainty-calibration = Kalibrierung des Messtasters
 certainty-form = Formfehler des Werkstücks
+certainty-temperature = Temperatur des Werkstücks
+certainty-value = { $value } ± { $expanded } { $unit } (k = { $coverage })  { $label }
+certainty-proof-good = Nachweislich gut.
+certainty-proof-undecided = Weder gut noch schlecht ist nachgewiesen.
+certainty-proof-bad = Nachweislich schlecht.
+certainty-chances = gut { $good } %, Nacharbeit { $rework } %, Ausschuss { $scrap } %, außerhalb der Grenzen { $beyond } %
+certainty-largest = Größter Beitrag: { $source }, { $share } %.
+certainty-runs = Aus { $runs } Läufen.
+certainty-nothing = Nichts streut: Geben Sie dem Messtaster seine Wiederholgenauigkeit, dem Teil seinen Formfehler oder seine Temperatur.
 
 series-choose-order = Wählen Sie _TZL < _TMV < Toleranzgrenzen < _TDIF < _TSA. Dann trifft jede Abweichung auf die Grenze, die für sie gedacht ist.
 series-choose-tzl = _TZL, Nullkorrektur: größer als die Streuung von Messung und Prozess. Darunter wird nichts korrigiert, nur der Mittelwert läuft weiter.

@@ -115,6 +115,7 @@ supply-parts = Set up the parts of the program
 scenario-file = { $path }: the file { $name } is missing
 scenario-variable = { $path }: there are no tool or frame data { $name }
 scenario-replace = “{ $text }” is not in the program.
+scenario-fault = this fault
 scenario-stopped = The program stops with { $found } instead of reaching its end.
 scenario-not-stopped = The program reaches its end instead of stopping with { $expected }.
 scenario-stopped-otherwise = The program stops with { $found }, not with { $expected }.

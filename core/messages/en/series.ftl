@@ -8,9 +8,25 @@ series-share = { $count } ({ $share } ± { $error } %)
 series-uncorrected = The same parts without corrections:
 series-no-alarm = No alarm in { $runs } runs: less than { $most } % with 95 % confidence.
 
+series-tilt-x = Rotation about X, error
+series-tilt-y = Rotation about Y, error
+series-tilt-z = Rotation about Z, error
+series-taper = Taper
+series-out-of-round = Out-of-roundness
+series-ball-radius = Ball radius
+
 certainty-touch = repeatability of the probe
 certainty-calibration = calibration of the probe
 certainty-form = form error of the part
+certainty-temperature = temperature of the part
+certainty-value = { $value } ± { $expanded } { $unit } (k = { $coverage })  { $label }
+certainty-proof-good = Proven good.
+certainty-proof-undecided = Neither good nor bad is proven.
+certainty-proof-bad = Proven bad.
+certainty-chances = good { $good } %, rework { $rework } %, scrap { $scrap } %, beyond the limits { $beyond } %
+certainty-largest = Largest contribution: { $source }, { $share } %.
+certainty-runs = From { $runs } runs.
+certainty-nothing = Nothing spreads: give the probe its repeatability, the part its form error or its temperature.
 
 series-choose-order = Choose _TZL < _TMV < tolerance limits < _TDIF < _TSA. Then each deviation meets the limit that is meant for it.
 series-choose-tzl = _TZL, zero compensation area: set it above the scatter of measurement and process. Below it nothing is corrected, only the mean value goes on.

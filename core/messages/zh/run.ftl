@@ -115,6 +115,7 @@ supply-parts = 装夹程序所需的工件
 scenario-file = { $path }：缺少文件 { $name }
 scenario-variable = { $path }：没有刀具数据或框架数据 { $name }
 scenario-replace = 程序中没有“{ $text }”。
+scenario-fault = 以下错误
 scenario-stopped = 程序因 { $found } 停止，没有运行到结尾。
 scenario-not-stopped = 程序运行到了结尾，预期因 { $expected } 停止。
 scenario-stopped-otherwise = 程序因 { $found } 停止，预期为 { $expected }。

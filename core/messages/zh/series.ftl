@@ -8,9 +8,25 @@ series-share = { $count }（{ $share } ± { $error } %）
 series-uncorrected = 同样的工件，没有补偿：
 series-no-alarm = 运行 { $runs } 次没有报警：以 95 % 的把握少于 { $most } %。
 
+series-tilt-x = 绕 X 旋转误差
+series-tilt-y = 绕 Y 旋转误差
+series-tilt-z = 绕 Z 旋转误差
+series-taper = 锥度
+series-out-of-round = 圆度误差
+series-ball-radius = 测球半径
+
 certainty-touch = 测头的重复精度
 certainty-calibration = 测头的校准
 certainty-form = 工件的形状误差
+certainty-temperature = 工件温度
+certainty-value = { $value } ± { $expanded } { $unit }（k = { $coverage }）  { $label }
+certainty-proof-good = 证明合格。
+certainty-proof-undecided = 既未证明合格，也未证明不合格。
+certainty-proof-bad = 证明不合格。
+certainty-chances = 合格 { $good } %，返工 { $rework } %，报废 { $scrap } %，超出限值 { $beyond } %
+certainty-largest = 最大来源：{ $source }，{ $share } %。
+certainty-runs = 共运行 { $runs } 次。
+certainty-nothing = 没有分散：请给出测头的重复性、工件的形状误差或温度。
 
 series-choose-order = 按 _TZL < _TMV < 公差限 < _TDIF < _TSA 选择，使每个偏差由对应的限值处理。
 series-choose-tzl = _TZL（零补偿区）：大于测量和加工的分散。低于此值时不补偿，只更新平均值。

@@ -10,7 +10,7 @@ use super::supply::{Supply, corrected};
 use super::twin::{TwinView, twin};
 use super::{Error, choose_units, cycle};
 use crate::check::{Checked, Parsed, expression, newer, parse, variants};
-use crate::control::{Control, MachineSort, Plane, Transverse, UnitFunction};
+use crate::control::{Control, GENERATION, MachineSort, OF_LISTS, Plane, Transverse, UnitFunction};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::dialect::Dialect;
 use crate::entry::{ArgumentList, Cycle, Kind, Style, Typed, names};
@@ -146,12 +146,17 @@ pub fn form(mut asked: FormRequest) -> Result<FormView, Error> {
     at_call(&mut start.setup.control, cycle, &asked)?;
     let control = &mut start.setup.control;
     let support = Support::of(cycle, control);
-    let preset = support.map_or(Style::Direct, |support| support.style(cycle));
-    let newer = newer_list(cycle, asked.written);
+    let listed = control.number(GENERATION) == OF_LISTS && asked.written.is_none();
+    let listed = newer_list(cycle, listed.then_some(Style::Operate)).filter(|list| list.is_written());
+    let preset = match listed {
+        Some(_) => Style::Operate,
+        None => support.map_or(Style::Direct, |support| support.style(cycle)),
+    };
+    let newer = newer_list(cycle, asked.written).or(listed);
     let support = support.filter(|_| newer.is_none());
     let (values, before) = entered(support, cycle, asked.values, control);
     let judge = |values: &Typed, control: &Control| match newer {
-        Some(list) => newer::check_listed(cycle, list, values, control),
+        Some(list) => newer::check_simulated(cycle, list, values, control),
         None => check::check(cycle, values, control),
     };
     let mut checked = judge(&values, control);
@@ -166,6 +171,11 @@ pub fn form(mut asked: FormRequest) -> Result<FormView, Error> {
     let style = asked.style.unwrap_or(preset);
     let mut view = view(cycle, &values_of, control, &checked, style, asked.comments.as_ref());
     view.preset = preset;
+    let shown = newer.or_else(|| newer_list(cycle, Some(style)));
+    if let Some(list) = shown {
+        view.fields.extend(form::of_list(list, &values, control));
+        form::name_arguments(list, &mut view.fields);
+    }
     for field in &mut view.fields {
         field.written = pointed.get(field.name.as_str()).cloned();
     }
@@ -179,6 +189,9 @@ pub fn form(mut asked: FormRequest) -> Result<FormView, Error> {
         checked.inputs = judge(&values, &start.setup.control).inputs;
     }
     view.unknown = checked.inputs.is_none().then(|| unknown(&checked));
+    if newer.is_some() {
+        start.setup.control.set(newer::COARSE, f64::from(u8::from(newer::is_coarse(&values))));
+    }
     let mut setup = match (cycle.work(), &checked.inputs) {
         (Some(work), Some(inputs)) => {
             let outcome = predict(work, inputs, start, &asked.errors.unwrap_or_default(), asked.limits);

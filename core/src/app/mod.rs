@@ -53,7 +53,10 @@ pub use around::{AroundBlock, AroundField, AroundRequest, AroundView, Wanted as 
 pub use beside::{Beside, FileStart};
 pub use braking::{BrakingPath, BrakingRequest, BrakingView, braking};
 pub use catalogue::{AroundInfo, Catalogue, CycleInfo, ParameterInfo, Purpose, Values, VariantInfo, catalogue};
-pub use certainty::{Certain, CertainChances, CertaintyRequest, CertaintyView, Contribution, certainty};
+pub use certainty::{
+    CallCertainty, Certain, CertainChances, CertaintyRequest, CertaintyView, Contribution, WholeCertainty,
+    WholeCertaintyRequest, certainty, certainty_of, whole_certainty,
+};
 pub use changes::Change;
 pub use edit::{
     Assignment, ChangeRequest, Changed, ConvertRequest, Converted, CureRequest, CuredAll, Replaced, Variable, change,
@@ -90,8 +93,8 @@ pub use scenario::{
     noted, scenario,
 };
 pub use series::{
-    SeriesAlarm, SeriesCall, SeriesCorrection, SeriesExample, SeriesFigure, SeriesMemory, SeriesRequest, SeriesShare,
-    SeriesSpread, SeriesStart, SeriesView, series, series_csv, series_of, series_start,
+    Prepared, SeriesAlarm, SeriesCall, SeriesCorrection, SeriesExample, SeriesFigure, SeriesMemory, SeriesName,
+    SeriesRequest, SeriesShare, SeriesSpread, SeriesStart, SeriesView, series, series_csv, series_of, series_start,
 };
 pub use start::{Beginning, Machine, OwnMachine};
 pub use story::{Story, story};

@@ -5,6 +5,7 @@ use super::changes::{Change, changes};
 use super::predict::ErrorLimit;
 use super::supply::Offer;
 use super::written::{WrittenFile, written};
+use crate::control::{Control, GENERATION};
 use crate::diagnostic::Code;
 use crate::entry::{Inputs, unit_name};
 use crate::machine::Stop;
@@ -111,7 +112,8 @@ fn results(inputs: &Inputs, outcome: &run::Outcome) -> Vec<Measured> {
 /// Alarms raised, the one that stopped the run last, a fault of the simulation after them.
 pub(super) fn alarms(outcome: &run::Outcome) -> Vec<Raised> {
     let fault = outcome.stop.iter().filter(|stop| matches!(stop, Stop::Fault(_)));
-    outcome.alarms().into_iter().map(Raised::alarm).chain(fault.map(Raised::stop)).collect()
+    let raised = outcome.alarms().into_iter().map(|code| Raised::alarm(code).on(&outcome.control));
+    raised.chain(fault.map(Raised::stop)).collect()
 }
 
 impl Raised {
@@ -125,6 +127,13 @@ impl Raised {
             stops: catalogue::alarms::stops(code),
             offers: Vec::new(),
         }
+    }
+
+    /// With the remedy of the generation of this control.
+    fn on(self, control: &Control) -> Raised {
+        let newer = Some(catalogue::newer::alarms::key(&self.code)).filter(|_| control.number(GENERATION) > 1.0);
+        let hint = newer.flatten().map(Message::new).or(self.hint);
+        Raised { hint, ..self }
     }
 
     /// Why something did not go on.

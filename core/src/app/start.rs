@@ -126,6 +126,7 @@ pub(super) fn start(dialect: Dialect, machine: Option<Machine>) -> Result<Start,
         for (name, value) in own.data {
             setup.control.data.insert(name, value);
         }
+        setup.control.take_setting_data();
         setup.has_its_data()?;
     }
     Ok(Start { setup, described: false })

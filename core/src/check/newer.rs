@@ -40,6 +40,33 @@ pub fn check_listed(cycle: &'static Cycle, list: &ArgumentList, typed: &Typed, c
     Checked { diagnostics: judged.found, inputs: judged.inputs.filter(|_| older) }
 }
 
+/// Checks the values of a list as [`check_listed`]; a coarse zero offset is the one with its number, where
+/// [`is_coarse`] says so to the control.
+pub fn check_simulated(cycle: &'static Cycle, list: &ArgumentList, typed: &Typed, control: &Control) -> Checked {
+    let mut as_older = typed.clone();
+    if let Some(code) = coarse(typed) {
+        as_older.insert(names::KNUM.to_string(), code.to_string());
+    }
+    let Checked { diagnostics, .. } = check_listed(cycle, list, typed, control);
+    Checked { diagnostics, inputs: check_listed(cycle, list, &as_older, control).inputs }
+}
+
+/// Whether the correction goes into the coarse part of the zero offset; a number alone means the fine one there.
+pub fn is_coarse(typed: &Typed) -> bool {
+    coarse(typed).is_some()
+}
+
+/// The number of the zero offset whose coarse part is corrected.
+fn coarse(typed: &Typed) -> Option<i64> {
+    let Parsed::Number(code) = parse(text(typed, names::KNUM)) else { return None };
+    let coarse = code.fract() == 0.0 && (10_001.0..=10_099.0).contains(&code);
+    coarse.then_some(code as i64 - 10_000)
+}
+
+/// Where the older control puts a correction of a settable frame, which the number in these lists says: 1 coarse, 0 fine
+/// (B:14035-14039).
+pub const COARSE: &str = "_CHBIT[21]";
+
 /// The parameters whose values mean something else on the older control, or whose meaning is not known.
 pub fn foreign(cycle: &'static Cycle, list: &ArgumentList, typed: &Typed, control: &Control) -> Vec<Name> {
     judged(cycle, list, &with_omitted(cycle, typed), control).foreign
@@ -74,7 +101,7 @@ pub fn is_same_zero(code: f64) -> bool {
 }
 
 /// Numbers of zero offsets in programs of newer controls: fine, coarse, and the active one in three ways.
-fn is_newer_zero(code: f64) -> bool {
+pub fn is_newer_zero(code: f64) -> bool {
     let known = matches!(code as i64, 10_001..=10_099 | 9000 | 19_999);
     is_same_zero(code) || code.fract() == 0.0 && known
 }
@@ -200,7 +227,8 @@ fn text(typed: &Typed, name: Name) -> &str {
     typed.get(name.as_str()).map_or("", String::as_str)
 }
 
-fn is_nothing(text: &str) -> bool {
+/// Whether nothing is written, or 0.
+pub fn is_nothing(text: &str) -> bool {
     matches!(parse(text), Parsed::Empty | Parsed::Number(0.0))
 }
 

@@ -18,6 +18,11 @@ use std::{cell::RefCell, collections::BTreeSet};
 pub const FORMS: &str = "PW-FORMS";
 /// Setting of ours: 1 gives measuring in JOG the masks that it had up to measuring cycles SW 6.2.
 pub const OLDER_JOG: &str = "PW-JOG";
+/// Setting of ours: the generation of the control, 1 to 3; 0: not told. Up to 840D sl 1.x it takes assignments, from 2.5
+/// assignments with setting data, from 840D sl 2.7 and 828D 4.4 argument lists.
+pub const GENERATION: &str = "PW-GENERATION";
+/// The generation that takes argument lists.
+pub const OF_LISTS: f64 = 3.0;
 
 impl Control {
     /// Whether it has user data, an R parameter, a machine datum or a variable with this name for such a value.
@@ -41,7 +46,7 @@ pub(super) fn sinumerik(name: &str, text: bool) -> bool {
     }
     let machine = ["MD", "SD", "TOOLENV["].iter().any(|start| name.starts_with(start));
     let of_machine = machine_data::of_machine(name) && (!text || machine_data::is_text(name));
-    machine || of_machine || !text && ([FORMS, OLDER_JOG].contains(&name) || numbered(name, 'R', 1000))
+    machine || of_machine || !text && ([FORMS, OLDER_JOG, GENERATION].contains(&name) || numbered(name, 'R', 1000))
 }
 
 /// Whether an NCT control has a datum of this name that holds a text, or a number.

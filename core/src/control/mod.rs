@@ -19,12 +19,13 @@ pub mod nct_data;
 pub mod needs;
 pub mod probe;
 pub mod rotary;
+pub mod setting_data;
 pub mod tools;
 pub mod units;
 pub mod variables;
 
 pub use calibration::Calibration;
-pub use data::{Data, FORMS, OLDER_JOG};
+pub use data::{Data, FORMS, GENERATION, OF_LISTS, OLDER_JOG};
 pub use definitions::{Definition, Definitions};
 pub use delivery::{delivery, delivery_in, rebuilt};
 pub use environments::Environment;

@@ -49,8 +49,19 @@ pub enum Arg {
     Output(&'static str),
     /// Has no counterpart among our parameters, or its meaning is not known.
     Open,
-    /// Without counterpart, in the list of a newer control: its name there.
-    Newer(&'static str),
+    /// In the list of a newer control: its name there (empty: none is published), and the parameter that means the same.
+    Newer(&'static str, Option<Name>),
+}
+
+impl Arg {
+    /// The parameter whose value it takes.
+    pub const fn param(&self) -> Option<Name> {
+        match self {
+            Arg::Param(name) | Arg::Down(name) => Some(*name),
+            Arg::Newer(_, param) => *param,
+            _ => None,
+        }
+    }
 }
 
 /// `CYCLE_PARA`: parameters that count for all cycles; 0 leaves the datum as it is (B:11734-11753).
@@ -89,8 +100,7 @@ impl ArgumentList {
 
     /// Which argument takes this parameter.
     pub fn position(&self, name: Name) -> Option<usize> {
-        let takes = |arg: &Arg| matches!(arg, Arg::Param(param) | Arg::Down(param) if *param == name);
-        self.args.iter().position(takes)
+        self.args.iter().position(|arg| arg.param() == Some(name))
     }
 
     /// Whether this parameter is an argument or an element of one.

@@ -1,7 +1,7 @@
 //! An entry that speaks of a parameter which it does not have does not compile: the catalogue looks through all of
 //! them while it is built.
 
-use super::{Arg, ArgumentList, Cycle, Kind, Param, When};
+use super::{ArgumentList, Cycle, Kind, Param, When};
 use crate::name::Name;
 
 impl Cycle {
@@ -89,8 +89,8 @@ impl Cycle {
         self.when_names(&list.when);
         let mut args = list.args;
         while let [arg, rest @ ..] = args {
-            if let Arg::Param(name) | Arg::Down(name) = arg {
-                self.has(*name);
+            if let Some(name) = arg.param() {
+                self.has(name);
             }
             args = rest;
         }

@@ -20,6 +20,8 @@ pub enum Topic {
     Statistics,
     /// The probe that measures.
     Probe,
+    /// What only the argument list of a newer control has.
+    List,
 }
 
 /// Stems of the message keys of all parameters that are not about the task.

@@ -1,9 +1,10 @@
 //! The fields of a form, in the order in which they are shown.
 
 use super::{codes, masks, variant};
+use crate::catalogue::newer::arguments::Argument;
 use crate::check;
 use crate::control::Control;
-use crate::entry::{Cycle, Inputs, Kind, Level, Param, Topic, Typed, factor, unit_name};
+use crate::entry::{ArgumentList, Cycle, Inputs, Kind, Level, Param, Topic, Typed, Unit, factor, unit_name};
 use crate::manual::Cited;
 use crate::message::Message;
 use crate::name::Name;
@@ -50,6 +51,9 @@ pub struct Field {
     pub required: bool,
     /// Why it is required or optional.
     pub reason: Message,
+    /// Which argument of the list of a newer control it is, where the call is written so.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub argument: Option<Message>,
     /// Place in the manual.
     pub source: Cited,
 }
@@ -144,9 +148,59 @@ fn field(param: &'static Param, inputs: &Inputs, typed: &Typed, control: &Contro
         unit: unit_name(unit, control),
         required: level == Level::Required && param.default.is_none(),
         reason: Message::new(reason),
+        argument: None,
         source: Cited(param.source),
     })
 }
+
+/// The fields of what only the list of a newer control asks for; what is kept as written has one where it is written.
+pub(crate) fn of_list(list: &'static ArgumentList, typed: &Typed, control: &Control) -> Vec<Field> {
+    let written = |argument: &Argument| typed.get(argument.name).is_some_and(|text| !text.trim().is_empty());
+    let alone = |argument: &Argument| argument.param.is_none() && !argument.name.is_empty();
+    let all = Argument::all(list).filter(|one| alone(one) && (one.is_field() || written(one)));
+    all.map(|argument| argument_field(&argument, typed, control)).collect()
+}
+
+/// Says of each field which argument of the list it is.
+pub(crate) fn name_arguments(list: &'static ArgumentList, fields: &mut [Field]) {
+    for argument in Argument::all(list) {
+        let taken = |field: &&mut Field| argument.param == Some(field.name) || field.name == argument.name;
+        let Some(field) = fields.iter_mut().find(taken) else { continue };
+        let key = if argument.screen().is_empty() { "argument-shown" } else { "argument-shown-screen" };
+        let message = Message::new(key).number("place", argument.place as f64).text("name", argument.name);
+        field.argument = Some(message.text("screen", argument.screen()));
+    }
+}
+
+fn argument_field(argument: &Argument, typed: &Typed, control: &Control) -> Field {
+    let meaning = argument.meaning();
+    let (entry, unit) = match argument.name {
+        "S_MD" => (Entry::Choice { choices: codes::choices(DIRECTIONS) }, Unit::None),
+        "S_STA1" => (Entry::Real { range: Range::ANY }, Unit::Degree),
+        _ => (Entry::Real { range: Range::ANY }, Unit::ActiveLength),
+    };
+    Field {
+        name: Name::new(argument.name),
+        help: Message::new(format!("{meaning}-help")),
+        label: Message::new(meaning),
+        topic: Topic::List,
+        entry,
+        value: typed.get(argument.name).cloned().unwrap_or_default(),
+        expression: None,
+        written: None,
+        chooses: false,
+        code: None,
+        fallback: None,
+        unit: unit_name(unit, control),
+        required: false,
+        reason: Message::new(if argument.is_open() { "argument-open" } else { "argument-values" }),
+        argument: None,
+        source: Cited(""),
+    }
+}
+
+/// Measuring directions in these lists.
+const DIRECTIONS: &[(i64, &str)] = &[(1, "argument-direction-plus"), (2, "argument-direction-minus")];
 
 /// Ranges of the catalogue are in mm and shown in the unit of the field.
 fn shown(range: Range, per: f64) -> Range {

@@ -5,7 +5,8 @@ use crate::control::gud::{Element, Gud, System, Unit};
 use crate::control::idle::idle;
 use crate::control::machine_data::MACHINE_DATA;
 use crate::control::nct_data::NctDatum;
-use crate::control::{Control, OLDER_JOG, Units, Value, gud, machine_data, nct_data};
+use crate::control::setting_data::{SETTING_DATA, SettingDatum};
+use crate::control::{Control, GENERATION, OLDER_JOG, Units, Value, gud, machine_data, nct_data};
 use crate::dialect::Dialect;
 use crate::manual::Cited;
 use crate::message::Message;
@@ -74,7 +75,9 @@ pub fn groups(control: &Control) -> Vec<Group> {
     }
     let subjects = gud::SUBJECTS.iter().map(|subject| group(subject.key, of_subject(subject, control)));
     let machine = group("machine-data", MACHINE_DATA.iter().flat_map(of_machine_datum).collect());
-    subjects.chain([machine]).filter(|group| !group.settings.is_empty()).collect()
+    let newer = SETTING_DATA.iter().filter(|_| control.number(GENERATION) > 1.0);
+    let newer = group("setting-data", newer.flat_map(|datum| of_setting_datum(datum, control)).collect());
+    subjects.chain([machine, newer]).filter(|group| !group.settings.is_empty()).collect()
 }
 
 /// The groups of an NCT control.
@@ -101,26 +104,30 @@ fn group(subject: &str, settings: Vec<Setting>) -> Group {
     Group { key: format!("machine-group-{subject}"), settings }
 }
 
-/// Settings of a subject; before those of the masks stands whether they count, before those of JOG its version.
+/// Settings of a subject; before those of the masks stand the generation of the control and whether they count, before
+/// those of JOG its version.
 fn of_subject(subject: &'static gud::Subject, control: &Control) -> Vec<Setting> {
     let own = match subject.key {
-        gud::MASKS => Some(ours(support::FORMS, support::FORMS_KEY)),
-        gud::JOG => Some(ours(OLDER_JOG, "datum-pw-jog")),
-        _ => None,
+        gud::MASKS => vec![
+            ours(GENERATION, "datum-pw-generation", &[0, 1, 2, 3]),
+            ours(support::FORMS, support::FORMS_KEY, &[0, 1]),
+        ],
+        gud::JOG => vec![ours(OLDER_JOG, "datum-pw-jog", &[0, 1])],
+        _ => Vec::new(),
     };
     let data = subject.data.iter().filter(|gud| gud.of_machine());
     own.into_iter().chain(data.flat_map(|gud| of_datum(gud, control))).collect()
 }
 
-/// A setting of ours that is 0 or 1.
-fn ours(name: &str, key: &str) -> Setting {
+/// A setting of ours that is one of these numbers.
+fn ours(name: &str, key: &str, choices: &'static [i64]) -> Setting {
     Setting {
         name: name.to_owned(),
         key: key.to_owned(),
         field: None,
-        entry: Entry::Choice { choices: &[0, 1] },
+        entry: Entry::Choice { choices },
         unit: "",
-        range: Range::closed(0.0, 1.0),
+        range: Range::closed(0.0, choices.len() as f64 - 1.0),
         source: Cited(""),
         idle: false,
     }
@@ -157,6 +164,28 @@ fn setting(gud: &'static Gud, element: &Element, at: &[usize], basic: Units) -> 
         range: element.range,
         source: Cited(element.source),
     }
+}
+
+/// Settings of a setting datum: what its user datum says counts for it.
+fn of_setting_datum(datum: &'static SettingDatum, control: &Control) -> Vec<Setting> {
+    let of_its_own = |name: String| Setting {
+        name,
+        key: datum.key(),
+        field: None,
+        entry: Entry::Real,
+        unit: "",
+        range: Range::ANY,
+        source: Cited(""),
+        idle: true,
+    };
+    let one = |place: Option<usize>| match datum.older() {
+        Some((gud, element)) => {
+            let older = setting(gud, element, &datum.older_place(place), control.basic_units);
+            Setting { name: datum.spelled(place), field: None, source: Cited(""), ..older }
+        }
+        None => of_its_own(datum.spelled(place)),
+    };
+    datum.places(control).into_iter().map(one).collect()
 }
 
 fn of_machine_datum(datum: &'static machine_data::MachineDatum) -> Vec<Setting> {

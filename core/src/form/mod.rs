@@ -11,6 +11,6 @@ mod variant;
 
 pub use chain::{Bar, Chain, Limit, chain};
 pub use draw::draw;
-#[cfg(feature = "json")]
-pub(crate) use fields::fields_by;
 pub use fields::{Choice, Entry, Field, Group, fields};
+#[cfg(feature = "json")]
+pub(crate) use fields::{fields_by, name_arguments, of_list};

@@ -12,6 +12,7 @@ mod route_tests;
 pub mod series;
 pub mod setup;
 pub mod sim;
+pub mod temperature;
 pub mod trace;
 
 pub use clock::Clock;

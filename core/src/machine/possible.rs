@@ -42,6 +42,9 @@ impl Setup {
     /// # Errors
     /// What is beyond its range, by its place in a setup file.
     pub fn varies(&self) -> Result<(), Refused> {
+        let path = Path::of(&["temperature"]);
+        within(&path.member("spread"), self.temperature.spread, [0.0, 1000.0])?;
+        small(&path.member("expansion"), &[self.temperature.expansion])?;
         let path = Path::of(&["series"]);
         within(&path.member("runs"), f64::from(self.series.runs), [1.0, RUNS])?;
         let path = path.member("vary");

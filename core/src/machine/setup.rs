@@ -8,6 +8,7 @@ use crate::dialect::Dialect;
 use crate::geometry::Mcs;
 use crate::machine::Clock;
 use crate::machine::series::Series;
+use crate::machine::temperature::Temperature;
 use crate::workpiece::{Probe, Tool, ToolProbe, Turret, Workpiece};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -37,6 +38,8 @@ pub struct Setup {
     pub skip: BTreeSet<u8>,
     /// What varies where a program is run many times.
     pub series: Series,
+    /// How well the temperature of the part is known.
+    pub temperature: Temperature,
 }
 
 /// T number of the probe in [`Setup::calibrated`], as in the programs of the manual (B:5855).
@@ -93,6 +96,7 @@ impl Setup {
             clock: Clock::default(),
             skip: BTreeSet::new(),
             series: Series::default(),
+            temperature: Temperature::default(),
         }
     }
 

@@ -3,6 +3,7 @@
 use super::calls::CallSite;
 use super::change::Edit;
 use super::values::{Value, opposite};
+use crate::catalogue::newer::arguments::Argument;
 use crate::diagnostic::Span;
 use crate::entry::{AUXILIARY, Arg, ArgumentList, Cycle, Kind, Style};
 use crate::name::Name;
@@ -25,19 +26,19 @@ pub(super) fn is_auxiliary(program: &Program, place: Span) -> bool {
 }
 
 /// Arguments of the list of a newer control that have no counterpart here and say something, by their names there.
-pub(crate) fn only_newer(program: &Program, list: &ArgumentList, call: Span) -> Vec<(&'static str, String)> {
-    let said = list.args.iter().zip(places(program, call)).filter_map(|(arg, place)| {
-        let Arg::Newer(name) = arg else { return None };
+pub(crate) fn only_newer(program: &Program, list: &'static ArgumentList, call: Span) -> Vec<(&'static str, String)> {
+    let said = Argument::all(list).zip(places(program, call)).filter_map(|(argument, place)| {
         let text = program.written(place);
-        let usual = USUAL.contains(&(*name, text.as_str()));
-        let nothing = text.is_empty() || text == "\"\"" || text.parse() == Ok(0.0);
-        (!usual && !nothing).then_some((*name, text))
+        let nothing = text.is_empty() || text == "\"\"" || text.parse() == Ok(0.0) || text == USUAL_MODE;
+        let mode = matches!(argument.name, "_DMODE" | "_AMODE");
+        let says = argument.param.is_none() && !(nothing && (mode || text != USUAL_MODE));
+        says.then_some((argument.name, text))
     });
     said.collect()
 }
 
-/// What programs of newer controls write in every call: it says nothing about the measurement.
-const USUAL: [(&str, &str); 2] = [("_DMODE", "1"), ("_AMODE", "1")];
+/// What programs of newer controls write in `_DMODE` and `_AMODE` of every call: it says nothing about the measurement.
+const USUAL_MODE: &str = "1";
 
 /// Edits that give an argument of the call's own list this text (empty: omitted). None: the list has no such argument.
 pub(super) fn change(program: &Program, site: &CallSite, name: &str, text: &str) -> Option<Vec<Edit>> {
@@ -54,7 +55,7 @@ pub(super) fn change(program: &Program, site: &CallSite, name: &str, text: &str)
 }
 
 /// Writes an argument at its index, with the commas that are missing before it.
-fn put(program: &Program, call: Span, index: usize, text: &str) -> Option<Edit> {
+pub(super) fn put(program: &Program, call: Span, index: usize, text: &str) -> Option<Edit> {
     let places = places(program, call);
     if let Some(place) = places.get(index) {
         return (program.text(*place) != text.as_bytes()).then(|| Edit::replace(*place, text));
@@ -112,15 +113,20 @@ pub(super) fn number(arguments: &[Option<Value>], index: usize) -> Option<f64> {
 /// Values of the parameters by the arguments and selections; an indirect call gives 0 or no text for an omitted one.
 pub(super) fn given(
     cycle: &'static Cycle,
-    list: &ArgumentList,
+    list: &'static ArgumentList,
     span: Span,
     arguments: &[Option<Value>],
 ) -> Vec<(Name, Value)> {
     let mut found = Vec::new();
     for (index, arg) in list.args.iter().enumerate() {
-        let (Arg::Param(name) | Arg::Down(name)) = arg else { continue };
+        let own = Argument::at(list, index);
+        if own.param.is_none() && !own.name.is_empty() {
+            let value = arguments.get(index).cloned().flatten();
+            found.extend(value.map(|value| (Name::new(own.name), value)));
+        }
+        let Some(name) = arg.param() else { continue };
         let omitted = || {
-            let text = cycle.param(name).is_some_and(|param| matches!(param.kind, Kind::Text(_)));
+            let text = cycle.param(name.as_str()).is_some_and(|param| matches!(param.kind, Kind::Text(_)));
             if text { Value::at(String::new(), None, span) } else { Value::at("0".to_owned(), Some(0.0), span) }
         };
         let value = arguments.get(index).cloned().flatten().map(|value| match arg {
@@ -128,7 +134,7 @@ pub(super) fn given(
             _ => value,
         });
         let value = value.or_else(|| (list.style == Style::Indirect).then(omitted));
-        found.extend(value.map(|value| (*name, value)));
+        found.extend(value.map(|value| (name, value)));
     }
     if let Some((name, variant)) = list.composed(cycle, |index| number(arguments, index)) {
         found.push((name, Value::at(variant.to_string(), Some(variant as f64), span)));

@@ -10,6 +10,7 @@ mod uses;
 
 use super::flow::{Forces, State, follow};
 use super::held::{ALTERNATIVES, Names, Values};
+use super::lists::findings::of_call;
 use super::tools::{ToolInUse, Tools};
 use super::write::is_expression;
 use crate::catalogue::Functions;
@@ -186,7 +187,13 @@ pub fn calls_told(program: &Program, control: Control, told: &mut dyn FnMut(f64)
     } else {
         follow(program, &programs, &mut walk);
     }
-    walk.finished()
+    let mut sites = walk.finished();
+    for site in &mut sites {
+        if let Some(found) = of_call(program, site) {
+            site.diagnostics = found;
+        }
+    }
+    sites
 }
 
 /// What holds at a place of the program.

@@ -1,7 +1,9 @@
 //! Changes of one value as edits of the text; every other byte stays.
 
 use super::calls::{CallSite, Origin};
+use super::lists::{ListCall, list_call, set};
 use super::{arguments, write};
+use crate::catalogue::newer::arguments::Argument;
 use crate::check::{Parsed, Text, newer, parse, parse_text};
 use crate::control::delivery;
 pub use crate::diagnostic::Edit;
@@ -12,7 +14,7 @@ use crate::syntax::{Block, Program, Word};
 /// Gives a parameter of a call this value, as typed; an empty one takes the parameter away.
 /// A value that an earlier call or another parameter shares is left alone: the call gets an assignment of its own.
 pub fn change(program: &Program, site: &CallSite, name: &str, value: &str) -> Vec<Edit> {
-    let Some(param) = site.cycle.param(name) else { return Vec::new() };
+    let Some(param) = site.cycle.param(name) else { return of_list(program, site, name, value) };
     let (name, text) = (param.name.as_str(), matches!(param.kind, Kind::Text(_)));
     // what cannot be written as one value stays in the form, where its problem is told
     let written = write::value(program.dialect, param, value).unwrap_or_default();
@@ -49,6 +51,14 @@ pub fn change(program: &Program, site: &CallSite, name: &str, value: &str) -> Ve
         None if value.is_empty() => Vec::new(),
         None => add(program, site, name, &value).into_iter().collect(),
     }
+}
+
+/// A value that only the list of a newer control has, by its name there.
+fn of_list(program: &Program, site: &CallSite, name: &str, value: &str) -> Vec<Edit> {
+    let call = site.newer_list().and_then(|_| list_call(program, program.word_at(site.span)?));
+    let own = |call: &ListCall| call.index(name).filter(|index| Argument::at(call.list, *index).param.is_none());
+    let edit = call.and_then(|call| set(program, &call, own(&call)?, &plain(value)));
+    edit.into_iter().collect()
 }
 
 /// Whether a new `_KNUM` would be a tool target in the list of a newer control, where it has an argument of its own.

@@ -35,7 +35,8 @@ pub fn compared(program: &Program, site: &CallSite, after: &CallSite) -> Vec<Com
         before,
         after,
     };
-    let differing = names.into_iter().filter(|name| !same(site, after, name));
+    let names = names.into_iter().filter(|name| site.cycle.param(name).is_some());
+    let differing = names.filter(|name| !same(site, after, name));
     let mut all: Vec<_> = differing
         .map(|name| match (written(site, name), written(after, name)) {
             // of the same expression it is its worth that differs

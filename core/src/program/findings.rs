@@ -4,6 +4,7 @@ use super::advice::advice;
 use super::block_rules::block_rules;
 use super::calls::macros::of_functions;
 use super::calls::{CallSite, calls_on};
+use super::lists::findings::unclosed;
 use crate::catalogue::Functions;
 use crate::control::{Control, delivery};
 use crate::diagnostic::{Diagnostic, Edit, Severity, Span};
@@ -78,6 +79,9 @@ pub fn not_understood(program: &Program, error: &SyntaxError) -> Diagnostic {
         Some(most) => found.number("most", most),
         None => found,
     };
+    if let Some(edit) = unclosed(program, error) {
+        return found.cured(Message::new("newer-set-close"), vec![edit]);
+    }
     let instead = match error.sentence.cause {
         cause if cause == own::SYNTAX_EXPONENT.cause => "EX",
         cause if cause == own::SYNTAX_COMMA.cause => ".",

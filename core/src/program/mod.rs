@@ -14,6 +14,7 @@ pub mod cure;
 mod findings;
 pub mod flow;
 mod held;
+pub mod lists;
 pub mod of_control;
 mod own_words;
 pub mod places;

@@ -3,7 +3,7 @@
 use crate::app::AlarmInfo;
 use crate::catalogue::alarms::{ALARMS, Alarm, Found, Waits, stops};
 use crate::catalogue::operator_messages::{MESSAGES, OperatorMessage, Sender};
-use crate::catalogue::{CYCLES, alarms, operator_messages};
+use crate::catalogue::{CYCLES, alarms, newer, operator_messages};
 use crate::diagnostic::Code;
 use crate::entry::{Cycle, ProbeUse};
 use crate::manual::Cited;
@@ -28,6 +28,8 @@ pub struct Told {
     pub sources: String,
     /// When Probewright detects it.
     pub found: String,
+    /// What a newer control says instead.
+    pub newer: Option<String>,
     /// Place in the manual.
     pub source: Cited,
 }
@@ -42,6 +44,11 @@ pub fn all(words: &Words) -> impl Iterator<Item = Told> {
 pub fn named(name: &str, words: &Words) -> Option<Told> {
     let alarm = alarms::find(name).map(|alarm| told_alarm(alarm, words));
     alarm.or_else(|| operator_messages::find(name).map(|message| told_message(message, words)))
+}
+
+/// What a newer control says about an alarm of this number, also about one that the older control does not have.
+pub fn of_newer(code: &str, words: &Words) -> Option<String> {
+    newer::alarms::key(code).map(|key| words.key(key))
 }
 
 fn told_alarm(alarm: &Alarm, words: &Words) -> Told {
@@ -59,6 +66,7 @@ fn told_message(message: &OperatorMessage, words: &Words) -> Told {
 fn told(info: AlarmInfo, effect: String, by_every_cycle: bool, words: &Words) -> Told {
     let AlarmInfo { code, key, cycles, found, source, .. } = info;
     Told {
+        newer: of_newer(&code, words),
         code,
         cause: words.find(&Message::new(format!("{key}.cause"))),
         cure: words.key(format!("{key}.cure")),

@@ -2,6 +2,9 @@
 //! datum of the machine.
 
 use crate::catalogue::CYCLES;
+use crate::catalogue::newer::LISTS;
+use crate::catalogue::newer::arguments::{Argument, Evidence};
+use crate::control::setting_data::SETTING_DATA;
 use crate::entry::{Cycle, Variant};
 use crate::manual::Cited;
 use crate::message::Message;
@@ -61,6 +64,85 @@ pub fn datum(asked: &str, words: &Words) -> String {
     }
     let paragraph = |(meaning, owners): (String, Vec<String>)| format!("{meaning}\n  {}\n", owners.join(", "));
     told.into_iter().map(paragraph).collect()
+}
+
+/// An argument of a list of newer controls: name, meaning, and how that is known.
+pub fn argument(argument: &Argument, words: &Words) -> String {
+    let place = Message::new("argument-place").number("place", argument.place as f64).text("cycle", argument.list.name);
+    format!("{}\n  {}\n  {}\n", heading(argument, words), words.text(&place), about(argument, words).join("\n  "))
+}
+
+/// Name and meaning of an argument.
+fn heading(argument: &Argument, words: &Words) -> String {
+    let meaning = words.key(argument.meaning());
+    match argument.name {
+        "" => meaning,
+        name => words.text(&Message::new("argument-name").text("name", name).text("meaning", meaning)),
+    }
+}
+
+/// What else is known of an argument, a line each.
+pub fn about(argument: &Argument, words: &Words) -> Vec<String> {
+    let named = |key: &'static str, name: &str| words.text(&Message::new(key).text("name", name));
+    let mut lines: Vec<String> =
+        words.find(&Message::new(format!("{}-help", argument.meaning()))).into_iter().collect();
+    if !argument.screen().is_empty() {
+        lines.push(named("argument-screen", argument.screen()));
+    }
+    lines.push(match argument.older() {
+        "" => words.key("argument-no-older"),
+        older => named("argument-older", older),
+    });
+    lines.push(match (argument.evidence(), argument.alarm()) {
+        (Evidence::Values, _) => words.key("argument-values"),
+        (Evidence::Alarm, Some(alarm)) => words.text(&Message::new("argument-alarm").number("alarm", f64::from(alarm))),
+        _ => words.key("argument-name-known"),
+    });
+    if argument.is_open() {
+        lines.push(words.key("argument-open"));
+    }
+    lines
+}
+
+/// The list of newer controls that calls this cycle, an argument a line. Empty: none is published.
+pub fn list(asked: &str, words: &Words) -> String {
+    let list = LISTS.iter().find(|list| list.name.eq_ignore_ascii_case(asked));
+    let Some(list) = list else { return String::new() };
+    let mut text = format!("{}\n", words.text(&Message::new("argument-list").text("cycle", list.name)));
+    for argument in Argument::all(list) {
+        let _ = writeln!(text, "{:>4}  {}", argument.place, heading(&argument, words));
+    }
+    text
+}
+
+/// An argument by its name in these lists: each meaning, with the lists and places where it has it. Empty: none has it.
+pub fn arguments(asked: &str, words: &Words) -> String {
+    let mut told: Vec<(String, Vec<String>)> = Vec::new();
+    let all = LISTS.iter().flat_map(Argument::all);
+    for one in all.filter(|one| !one.name.is_empty() && one.name.eq_ignore_ascii_case(asked)) {
+        let meaning = format!("{}\n  {}", heading(&one, words), about(&one, words).join("\n  "));
+        let place = format!("{} ({})", one.list.name, one.place);
+        match told.iter_mut().find(|(known, _)| *known == meaning) {
+            Some((_, places)) => places.push(place),
+            None => told.push((meaning, vec![place])),
+        }
+    }
+    told.into_iter().map(|(meaning, places)| format!("{meaning}\n  {}\n", places.join(", "))).collect()
+}
+
+/// A setting datum of newer controls by its number, `SD54600`. Empty: none has it.
+pub fn setting_datum(asked: &str, words: &Words) -> String {
+    let datum = SETTING_DATA.iter().find(|datum| datum.name().eq_ignore_ascii_case(asked));
+    let Some(datum) = datum else { return String::new() };
+    let mut text = format!("{}: {}\n", datum.name(), words.key(datum.key()));
+    if let Some(line) = words.find(&Message::new(format!("{}.help", datum.key()))) {
+        let _ = writeln!(text, "  {line}");
+    }
+    let _ = match datum.older_name().as_str() {
+        "" => writeln!(text, "  {}", words.key("argument-no-older")),
+        older => writeln!(text, "  {}", words.text(&Message::new("argument-older").text("name", older.to_owned()))),
+    };
+    text
 }
 
 /// Label and, where there is one, help.

@@ -5,7 +5,7 @@ use super::said;
 use crate::control::gud::{Block, Element, Gud, Initial, Kind, Subject, System, Unit};
 use crate::control::machine_data::{MACHINE_DATA, MachineDatum};
 use crate::control::nct_data::NctDatum;
-use crate::control::{OLDER_JOG, gud, nct_data};
+use crate::control::{GENERATION, OLDER_JOG, gud, nct_data};
 use crate::manual::Cited;
 use crate::message::Message;
 use crate::program::user_programs;
@@ -34,17 +34,20 @@ fn user_data(text: &mut String, subject: &'static Subject, words: &Words) {
     let title = words.key(format!("machine-group-{}", subject.key));
     let columns = ["name", "meaning", "block", "type", "default", "unit", "range", "source"];
     let own = match subject.key {
-        gud::MASKS => Some(ours(support::FORMS, support::FORMS_KEY, words)),
-        gud::JOG => Some(ours(OLDER_JOG, "datum-pw-jog", words)),
-        _ => None,
+        gud::MASKS => vec![
+            ours(GENERATION, "datum-pw-generation", &[0, 1, 2, 3], words),
+            ours(support::FORMS, support::FORMS_KEY, &[0, 1], words),
+        ],
+        gud::JOG => vec![ours(OLDER_JOG, "datum-pw-jog", &[0, 1], words)],
+        _ => Vec::new(),
     };
     let of_datum = |gud: &'static Gud| gud.elements.iter().map(move |element| cells(gud, element, words));
     table(text, &title, columns, own.into_iter().chain(subject.data.iter().flat_map(of_datum)), words);
 }
 
-/// A setting of ours that is 0 or 1.
-fn ours(name: &str, key: &str, words: &Words) -> [String; 8] {
-    let (name, meaning) = (format!("`{name}`"), meaning(key, &[0, 1], words));
+/// A setting of ours that is one of these numbers.
+fn ours(name: &str, key: &str, choices: &[i64], words: &Words) -> [String; 8] {
+    let (name, meaning) = (format!("`{name}`"), meaning(key, choices, words));
     [&name, &meaning, &words.key("report-own-setting"), "", "0", "", "", ""].map(str::to_owned)
 }
 

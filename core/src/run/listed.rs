@@ -1,6 +1,7 @@
 //! Calls with arguments in brackets: `CYCLE_PARA(…)`, the parameterizing calls, the lists of newer controls.
 
 use super::{Call, Datum, Halt, Interpreter, call, cycle, names};
+use crate::catalogue::newer::{LISTS, arguments::Argument};
 use crate::catalogue::{CYCLES, find, list};
 use crate::check::{self, Sort, listed, newer};
 use crate::control::Value;
@@ -45,7 +46,18 @@ fn without(run: &mut Interpreter, call: &Call) -> Result<bool, Halt> {
     let cycle = find(run.program.dialect, &call.name);
     let many = cycle.and_then(|cycle| refused(cycle, None, call));
     let unmatched = || list::unmatched(&call.name, listed::count(&call.args), |index| call.number(index));
-    many.or_else(unmatched).map_or(Ok(false), |finding| Err(stopped(run, call, &call.name, finding)))
+    if let Some(finding) = many.or_else(unmatched) {
+        return Err(stopped(run, call, &call.name, finding));
+    }
+    match LISTS.iter().find(|list| list.name == call.name && !call.args.is_empty()) {
+        // it measures nothing, and writes what it was given on a screen or into a file
+        Some(list) if !Argument::all(list).any(|one| one.name == "S_MVAR") => {
+            run.tell(Severity::Warning, &Problem::new("run-not-simulated", call.span, list.name));
+            Ok(true)
+        }
+        Some(list) => Err(Problem::new("run-no-simulation", call.span, list.name).into()),
+        None => Ok(false),
+    }
 }
 
 /// Why the control refuses the arguments.
@@ -56,10 +68,7 @@ fn refused(cycle: &'static Cycle, list: Option<&'static ArgumentList>, call: &Ca
 
 /// An argument that is a text where a number belongs, or the reverse.
 fn of_wrong_sort(cycle: &'static Cycle, list: &ArgumentList, call: &Call) -> Option<Diagnostic> {
-    list.args.iter().enumerate().find_map(|(index, arg)| {
-        let (Arg::Param(name) | Arg::Down(name)) = arg else { return None };
-        wrong(cycle.param(name)?, call.arg(index)?)
-    })
+    list.args.iter().enumerate().find_map(|(index, arg)| wrong(cycle.param(arg.param()?.as_str())?, call.arg(index)?))
 }
 
 fn wrong(param: &Param, value: &Datum) -> Option<Diagnostic> {
@@ -78,17 +87,27 @@ fn stopped(run: &mut Interpreter, call: &Call, name: &str, finding: Diagnostic) 
 }
 
 /// The list of a newer control, as far as the older one does the same. What only the newer one has is told.
-fn newer_list(run: &mut Interpreter, cycle: &'static Cycle, list: &ArgumentList, call: &Call) -> Result<(), Halt> {
+fn newer_list(
+    run: &mut Interpreter,
+    cycle: &'static Cycle,
+    list: &'static ArgumentList,
+    call: &Call,
+) -> Result<(), Halt> {
     let values = values(cycle, list, call).into_iter();
-    let typed = values.filter_map(|(name, value)| Some((name.to_string(), Datum::from(&value?).exact()))).collect();
+    let typed: Typed =
+        values.filter_map(|(name, value)| Some((name.to_string(), Datum::from(&value?).exact()))).collect();
     run.fit(cycle, &typed);
-    let checked = newer::check_listed(cycle, list, &typed, &run.sim.control);
+    let checked = newer::check_simulated(cycle, list, &typed, &run.sim.control);
     if checked.inputs.is_some() {
         for (name, _) in arguments::only_newer(&run.program, list, call.span) {
             run.tell(Severity::Warning, &Problem::new("run-not-simulated", call.span, name));
         }
     }
-    cycle::carry_out(run, cycle, checked, call.span)
+    let before = run.sim.control.number(newer::COARSE);
+    run.sim.control.set(newer::COARSE, f64::from(u8::from(newer::is_coarse(&typed))));
+    let done = cycle::carry_out(run, cycle, checked, call.span);
+    run.sim.control.set(newer::COARSE, before);
+    done
 }
 
 /// What is not 0 goes into the data (B:11734).
@@ -114,8 +133,7 @@ fn values(cycle: &'static Cycle, list: &ArgumentList, call: &Call) -> Vec<(Name,
         let value = call.arg(index).and_then(Datum::value);
         match (arg, value) {
             (Arg::Down(name), Some(Value::Number(number))) => Some((*name, Some(Value::Number(-number)))),
-            (Arg::Param(name) | Arg::Down(name), value) => Some((*name, value)),
-            _ => None,
+            (arg, value) => Some((arg.param()?, value)),
         }
     });
     let composed = list.composed(cycle, |index| call.number(index));

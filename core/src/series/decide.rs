@@ -36,6 +36,17 @@ pub enum Proof {
     Bad,
 }
 
+impl Proof {
+    /// Key of its words.
+    pub fn key(self) -> &'static str {
+        match self {
+            Proof::Good => "certainty-proof-good",
+            Proof::Undecided => "certainty-proof-undecided",
+            Proof::Bad => "certainty-proof-bad",
+        }
+    }
+}
+
 impl Limits {
     /// Where the true value lies, of which this was measured with a standard uncertainty (JCGM 106, 7).
     pub fn chances(&self, measured: f64, uncertainty: f64) -> Chances {

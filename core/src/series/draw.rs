@@ -83,14 +83,46 @@ pub fn known(setup: &Setup) -> Result<(), Refused> {
     Ok(())
 }
 
-/// What can vary of probe and parts of this machine, by its name in the setup file.
-pub fn names(setup: &Setup) -> Vec<String> {
-    const ERRORS: [&str; 9] =
-        ["size", "shift[0]", "shift[1]", "shift[2]", "tilt[0]", "tilt[1]", "tilt[2]", "taper", "outOfRound[0]"];
-    const PROBE: [&str; 7] = ["radius", "length", "delay", "skew[0]", "skew[1]", "preTravel[0]", "preTravel[1]"];
+/// Something that can vary.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Variable {
+    /// Its name in the setup file.
+    pub name: String,
+    /// In words: key of a message.
+    pub label: &'static str,
+    /// Which solid of the part, from 0; absent: it is of the probe.
+    pub solid: Option<usize>,
+}
+
+/// What can vary of probe and parts of this machine.
+pub fn variables(setup: &Setup) -> Vec<Variable> {
+    const ERRORS: [(&str, &str); 9] = [
+        ("size", "equip-size-error"),
+        ("shift[0]", "equip-shift-x"),
+        ("shift[1]", "equip-shift-y"),
+        ("shift[2]", "equip-shift-z"),
+        ("tilt[0]", "series-tilt-x"),
+        ("tilt[1]", "series-tilt-y"),
+        ("tilt[2]", "series-tilt-z"),
+        ("taper", "series-taper"),
+        ("outOfRound[0]", "series-out-of-round"),
+    ];
+    const PROBE: [(&str, &str); 7] = [
+        ("radius", "series-ball-radius"),
+        ("length", "equip-probe-length"),
+        ("delay", "equip-delay"),
+        ("skew[0]", "equip-skew-x"),
+        ("skew[1]", "equip-skew-y"),
+        ("preTravel[0]", "equip-travel"),
+        ("preTravel[1]", "equip-travel-lobes"),
+    ];
     let solids = 0..setup.workpiece.solids.len();
-    let errors = solids.flat_map(|at| ERRORS.map(|name| format!("workpiece[{at}].errors.{name}")));
-    errors.chain(PROBE.map(|name| format!("probe.{name}"))).collect()
+    let errors = solids.flat_map(|at| {
+        let of = move |(name, label)| (format!("workpiece[{at}].errors.{name}"), label);
+        ERRORS.map(|one| (of(one), Some(at)))
+    });
+    let probe = PROBE.map(|(name, label)| ((format!("probe.{name}"), label), None));
+    errors.chain(probe).map(|((name, label), solid)| Variable { name, label, solid }).collect()
 }
 
 /// Adds to a member of the setup; false: there is none of this name.
@@ -194,7 +226,7 @@ mod tests {
     #[test]
     fn what_is_named_varies_also_by_a_list() {
         let (mut setup, series) = part(Vec::new());
-        let varied: Vec<Vary> = names(&setup).iter().map(|name| vary(name)).collect();
+        let varied: Vec<Vary> = variables(&setup).iter().map(|one| vary(&one.name)).collect();
         assert_eq!(varied.len(), 16);
         setup.series = Series { vary: varied, ..series.clone() };
         known(&setup).unwrap();

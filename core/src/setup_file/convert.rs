@@ -41,6 +41,7 @@ pub fn setup(file: SetupFile) -> Result<Setup, Refused> {
     for (name, value) in file.data {
         control.data.insert(name, value);
     }
+    control.take_setting_data();
     activate(&mut control, &file.active)?;
     let setup = Setup {
         name: file.name,
@@ -54,6 +55,7 @@ pub fn setup(file: SetupFile) -> Result<Setup, Refused> {
         clock: clock(&file.clock)?,
         skip: file.skip,
         series: file.series,
+        temperature: file.temperature,
     };
     setup.possible()?;
     known(&setup)?;
@@ -167,6 +169,7 @@ impl From<&Setup> for SetupFile {
             clock: if setup.clock == Clock::default() { String::new() } else { setup.clock.to_string() },
             skip: setup.skip.clone(),
             series: setup.series.clone(),
+            temperature: setup.temperature,
         }
     }
 }

@@ -13,6 +13,7 @@ use crate::control::{Environment, Frame, Plane, Transverse, Units, Value, delive
 use crate::dialect::Dialect;
 use crate::geometry::Degrees;
 use crate::machine::series::Series;
+use crate::machine::temperature::Temperature;
 use crate::workpiece::{Probe, Tool, Turret};
 #[cfg(feature = "cli")]
 use schemars::{generate::SchemaSettings, transform::RecursiveTransform};
@@ -56,7 +57,8 @@ pub struct SetupFile {
     environments: BTreeMap<String, Environment>,
     /// What differs from delivery in user data, R parameters, machine data, # variables: `_WP[0,1]`, `_CHBIT[4]`,
     /// `R10`, `MD18600`, `#500`; `PW-FORMS`, 1 where `_MZ_MASK` decides forms and
-    /// code; `PW-JOG`, 1 where measuring in JOG has the masks up to SW 6.2.
+    /// code; `PW-JOG`, 1 where measuring in JOG has the masks up to SW 6.2; `PW-GENERATION`, 1 to 3, the generation of
+    /// the control.
     #[serde(default)]
     data: BTreeMap<String, Value>,
     /// User data that the definition files of the machine add (GUD4.DEF, UGUD.DEF …), as they are written there:
@@ -87,6 +89,10 @@ pub struct SetupFile {
     #[serde(default, skip_serializing_if = "nothing_varies")]
     #[cfg_attr(test, ts(optional, as = "Option<Series>"))]
     series: Series,
+    /// How well the temperature of the part is known: a part of how uncertain a measured length is.
+    #[serde(default, skip_serializing_if = "Temperature::is_default")]
+    #[cfg_attr(test, ts(optional, as = "Option<Temperature>"))]
+    temperature: Temperature,
 }
 
 impl SetupFile {

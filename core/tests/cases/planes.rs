@@ -100,5 +100,5 @@ fn programs_of_nct_hold_in_all_planes() {
             }
         }
     }
-    assert!(count >= 54, "{count}");
+    assert!(count >= 111, "{count}");
 }

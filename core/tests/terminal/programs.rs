@@ -352,6 +352,26 @@ fn one_program_of_an_archive_is_run() {
     );
 }
 
+// oracle: JCGM 100, eq. 10: two touches and two of the calibration: u = 2σ; the hole of the readme is 0.03 mm too large,
+// which is its limit, and on it one half of such parts is good
+#[test]
+fn the_certainty_of_a_program_is_told_for_each_call() {
+    let program = file("certain.mpf", HOLE.as_bytes());
+    let mut setup: serde_json::Value = serde_json::from_slice(&std::fs::read(example_setup()).unwrap()).unwrap();
+    setup["probe"]["repeatability"] = serde_json::json!([0.001, 1]);
+    let path = file("certain.setup.json", setup.to_string().as_bytes());
+    let asked = ["series", &program, "--setup", &path, "--certainty"];
+    let text = out(&probewright(&asked));
+    assert!(text.contains("certain.mpf:8: CYCLE977\n  _OVR[4] = 132.03") && text.contains("(k = 2)"), "{text}");
+    assert!(text.contains("Neither good nor bad") && text.ends_with("From 400 runs.\n"), "{text}");
+    let output = probewright(&[&asked[..], &["--json", "--runs", "1000"]].concat());
+    let document: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    let size = &document["calls"][0]["figures"][0];
+    assert!((size["expanded"].as_f64().unwrap() / 0.004 - 1.0).abs() < 0.12, "{size}");
+    let output = probewright(&["series", &program, "--setup", &example_setup(), "--certainty"]);
+    assert!(output.status.code() == Some(1) && out(&output).contains("Nothing spreads"), "{}", out(&output));
+}
+
 // oracle: hand: the hole of the readme is 0.03 mm too large; its size varies by 0.01 mm
 #[test]
 fn a_series_tells_how_results_spread() {

@@ -27,10 +27,11 @@ fn program_of(cycle: &'static Cycle, values: &Typed, style: Style) -> String {
     snippet(cycle, values, &delivery(Dialect::Sinumerik), style, None).text
 }
 
-/// The values of a call as a program has them.
+/// The values of a call as a program has them; what only a list has says nothing that another style could.
 fn values(site: &CallSite) -> BTreeMap<String, String> {
-    let own = site.values.iter().map(|(name, value)| (name.clone(), value.clone()));
-    own.chain(site.expressions.iter().map(|(name, text)| (name.clone(), text.clone()))).collect()
+    let own = site.values.iter().chain(&site.expressions);
+    let own = own.filter(|(name, _)| site.cycle.param(name).is_some());
+    own.map(|(name, value)| (name.clone(), value.clone())).collect()
 }
 
 /// What differs between two calls, worked out from their values alone.

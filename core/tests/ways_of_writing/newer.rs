@@ -118,6 +118,7 @@ fn assigned(values: impl Iterator<Item = (Name, &'static str)>) -> String {
 fn a_zero_offset_is_written_where_its_number_means_the_same() {
     let mut values = first_example("CYCLE978");
     values.insert("_MVAR".into(), "100".into());
+    values.insert("S_MD".into(), "2".into());
     for (code, fits) in [("1", true), ("99", true), ("9999", true), ("1011", false), ("2000", false)] {
         values.insert("_KNUM".into(), code.into());
         let written = written("CYCLE978", &values, Style::Operate);
@@ -223,7 +224,7 @@ fn valid(cycle: &'static Cycle, variant: i64, numbers: &Numbers) -> Typed {
 
 /// Whether an argument takes the parameter of this name.
 fn takes(list: &ArgumentList, name: &str) -> bool {
-    list.args.iter().any(|arg| matches!(arg, Arg::Param(param) | Arg::Down(param) if *param == name))
+    list.args.iter().any(|arg| arg.param().is_some_and(|param| param == name))
 }
 
 /// What the list takes of values is read back from the text.
@@ -249,7 +250,7 @@ fn no_error_of_the_older_control(text: &str) -> TestCaseResult {
 /// A list whose arguments are these values, whatever their variant means there.
 fn as_list(list: &ArgumentList, values: &Typed) -> String {
     let argument = |arg: &Arg| match arg {
-        Arg::Param(name) => values.get(name.as_str()).cloned().unwrap_or_default(),
+        Arg::Newer(_, Some(name)) => values.get(name.as_str()).cloned().unwrap_or_default(),
         _ => String::new(),
     };
     let all: Vec<String> = list.args.iter().map(argument).collect();
@@ -310,7 +311,7 @@ proptest! {
                     let mean = |typed: &Typed| {
                         let inputs = check::read(cycle, typed, &control, &mut Vec::new());
                         let named = list.args.iter().filter_map(|arg| match arg {
-                            Arg::Param(name) if inputs.uses(*name) => Some((*name, inputs.value(*name))),
+                            Arg::Newer(_, Some(name)) if inputs.uses(*name) => Some((*name, inputs.value(*name))),
                             _ => None,
                         });
                         named.collect::<BTreeMap<_, _>>()

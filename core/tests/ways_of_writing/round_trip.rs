@@ -46,7 +46,7 @@ fn used(cycle: &'static Cycle, typed: &Typed) -> impl Iterator<Item = &'static P
 
 /// Whether this call style says the parameter.
 fn says(site: &CallSite, style: Style, name: &str) -> bool {
-    let named = |arg: &Arg| matches!(arg, Arg::Param(param) if *param == name);
+    let named = |arg: &Arg| arg.param().is_some_and(|param| param == name);
     style != Style::Operate
         || site.cycle.variant_param().is_some_and(|own| own == name)
         || site.list.is_some_and(|list| list.args.iter().any(named))

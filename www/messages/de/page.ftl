@@ -728,6 +728,12 @@ whole-count-beyond = { $count } außerhalb
 whole-count-measured = { $count } gemessen
 whole-count-alarm = { $count } mit Alarm
 whole-count-stopped = { $count } nicht simuliert
+whole-certain = Sicherheit
+whole-certain-hint = Das Programm viele Male ausführen: wie sicher jeder Wert ist und was er beweist
+whole-certain-stop = Abbrechen
+whole-certain-busy = Das Programm läuft viele Male: { $share } %
+whole-certain-nothing = Hier streut nichts: Geben Sie dem Messtaster seine Wiederholgenauigkeit, dem Teil seinen Formfehler oder seine Temperatur.
+whole-certain-told = Nachweislich gut: { $good }. Weder gut noch schlecht: { $undecided }. Nachweislich schlecht: { $bad }. Aus { $runs } Läufen.
 whole-worst = Schlechteste zuerst
 whole-csv = CSV
 whole-csv-hint = Als CSV speichern: UTF-8, Dezimalkomma, Felder durch Semikolon getrennt
@@ -877,6 +883,7 @@ chain-title = Grenzen auf einer Skala
 chain-measured = Ist
 topic-statistics = Statistik
 topic-probe = Messtaster
+topic-list = Argumentliste
 group-more = { $count ->
     [one] 1 weiteres Feld
    *[other] { $count } weitere Felder

@@ -1,7 +1,7 @@
 # Szenarien: Programme, mit dem erwarteten Ergebnis verglichen.
 
 scenarios-title = Szenarien
-scenarios-what = Ein Szenario enthält ein Programm, seine Maschine und das erwartete Ergebnis: Ergebnisse jedes Aufrufs, Korrekturen, Alarme, Protokoll. Nach jeder Änderung lässt es sich wieder ausführen. „Installation prüfen“ rechnet die Beispiele der Handbücher in diesem Browser nach.
+scenarios-what = Ein Szenario enthält ein Programm, seine Maschine und das erwartete Ergebnis: Ergebnisse jedes Aufrufs, Korrekturen, Alarme, Protokoll. Nach jeder Änderung lässt es sich wieder ausführen. „Installation prüfen“ rechnet in diesem Browser nach: Beispiele und Zahlen der Handbücher sowie Gegenproben, die den Messtaster kalibrieren, korrigieren und noch einmal messen.
 scenarios-note = Programm als Szenario speichern
 scenarios-open-files = Szenarien ausführen …
 scenarios-open-folder = Ordner ausführen …
@@ -12,3 +12,6 @@ scenarios-time = Zeit: { $seconds } s
 scenarios-stop = Anhalten
 scenarios-good = bestanden
 scenarios-bad = nicht bestanden
+scenarios-from-example = Beispiel: { $source }
+scenarios-from-vector = Zahlen: { $source }
+scenarios-from-loop = Gegenprobe: { $source }

@@ -11,6 +11,13 @@ runs-production = findet die Korrekturen des vorigen Teils vor
 runs-independent = beginnt neu
 runs-vary = Streut: { $number }
 runs-what = Was
+runs-asked = Teile und was streut
+runs-answered = Ergebnis der Serie
+runs-of-part = von Teil { $part }
+runs-of-probe = des Messtasters
+runs-of-name = anderes, mit Namen
+runs-name = Name in der Einrichtungsdatei, oder data. und eine Variable
+runs-units = Längen in mm, Winkel in Grad, Zeiten in Sekunden.
 runs-as = Verteilung
 runs-normal = Normalverteilung
 runs-uniform = Gleichverteilung
@@ -38,13 +45,17 @@ runs-close = Schließen
 runs-progress = Fortschritt der Serie
 runs-running = Die Serie läuft.
 runs-stopped = Die Serie wurde abgebrochen.
-runs-done = { $runs } Teile sind fertig.
 runs-no-program = Es gibt kein Programm: Öffnen Sie eines, oder führen Sie das Beispiel aus.
 runs-no-number = Das ist keine Zahl: { $text }
 runs-range = Teile: 1 bis { $most }
-runs-ending = { $runs } Teile, { $finished } bis zum Programmende, Startwert { $seed }
+runs-ending =
+    { $runs ->
+        [one] 1 Teil
+       *[other] { $runs } Teile
+    }, { $finished } bis zum Programmende, Startwert { $seed }
 runs-no-call = Es wurde nichts gemessen.
 runs-call = { $cycle }, Zeile { $line }: { $feature }
+runs-part-at = Teil { $part }
 runs-parts = Teile
 runs-actual = Istwert
 runs-set = Sollwert
@@ -55,7 +66,11 @@ runs-spread = Mittelwert { $mean }, Standardabweichung { $deviation }, von { $mi
 runs-capability = Cp { $cp } ({ $cpLow } bis { $cpHigh }), Cpk { $cpk } ({ $cpkLow } bis { $cpkHigh }), Vertrauensbereiche 95 %
 runs-correction = Korrektur bei jedem Teil: { $name }
 runs-correction-sum = Korrektur bis dahin: { $name }
-runs-corrected = Korrigiert bei { $count } Teilen
+runs-corrected =
+    { $count ->
+        [one] Korrigiert bei 1 Teil
+       *[other] Korrigiert bei { $count } Teilen
+    }
 runs-shares = Ergebnisse
 runs-with = Mit Korrektur
 runs-without = Dieselben Teile ohne Korrektur

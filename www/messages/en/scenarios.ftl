@@ -1,7 +1,7 @@
 # Scenarios: programs held against the expected outcome.
 
 scenarios-title = Scenarios
-scenarios-what = A scenario holds a program, its machine and the expected outcome: results of each call, corrections, alarms, log. Run them again after every change. “Check this installation” runs the worked examples of the manuals in this browser.
+scenarios-what = A scenario holds a program, its machine and the expected outcome: results of each call, corrections, alarms, log. Run them again after every change. “Check this installation” runs in this browser: the worked examples of the manuals, their figures, and closed loops, which calibrate a probe, correct and measure again.
 scenarios-note = Save program as scenario
 scenarios-open-files = Run scenarios …
 scenarios-open-folder = Run folder …
@@ -12,3 +12,6 @@ scenarios-time = Time: { $seconds } s
 scenarios-stop = Stop
 scenarios-good = passed
 scenarios-bad = failed
+scenarios-from-example = Worked example: { $source }
+scenarios-from-vector = Figures: { $source }
+scenarios-from-loop = Closed loop: { $source }

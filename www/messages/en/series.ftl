@@ -11,6 +11,13 @@ runs-production = finds the corrections of the part before
 runs-independent = begins anew
 runs-vary = Varies: { $number }
 runs-what = What
+runs-asked = Parts and what varies
+runs-answered = What the series came to
+runs-of-part = of part { $part }
+runs-of-probe = of the probe
+runs-of-name = another, by its name
+runs-name = Name in the setup file, or data. and a variable
+runs-units = Lengths in mm, angles in degrees, times in seconds.
 runs-as = Spread
 runs-normal = normal
 runs-uniform = uniform
@@ -38,13 +45,17 @@ runs-close = Close
 runs-progress = Progress of the series
 runs-running = The series is running.
 runs-stopped = The series was stopped.
-runs-done = { $runs } parts are done.
 runs-no-program = There is no program: open one, or run the example.
 runs-no-number = This is no number: { $text }
 runs-range = Parts: 1 to { $most }
-runs-ending = { $runs } parts, { $finished } to the end of the program, seed { $seed }
+runs-ending =
+    { $runs ->
+        [one] 1 part
+       *[other] { $runs } parts
+    }, { $finished } to the end of the program, seed { $seed }
 runs-no-call = Nothing was measured.
 runs-call = { $cycle }, line { $line }: { $feature }
+runs-part-at = Part { $part }
 runs-parts = parts
 runs-actual = Actual value
 runs-set = Setpoint
@@ -55,7 +66,11 @@ runs-spread = Mean { $mean }, standard deviation { $deviation }, from { $min } t
 runs-capability = Cp { $cp } ({ $cpLow } to { $cpHigh }), Cpk { $cpk } ({ $cpkLow } to { $cpkHigh }), intervals of 95 %
 runs-correction = Correction at each part: { $name }
 runs-correction-sum = Correction so far: { $name }
-runs-corrected = Corrected at { $count } parts
+runs-corrected =
+    { $count ->
+        [one] Corrected at 1 part
+       *[other] Corrected at { $count } parts
+    }
 runs-shares = Verdicts
 runs-with = With corrections
 runs-without = The same parts without corrections

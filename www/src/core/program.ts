@@ -46,6 +46,7 @@ import type {
   Style,
   UserProgramsRequest,
   UserProgramsView,
+  WholeCertaintyRequest,
 } from "../wire";
 import type { FormCore, Formed } from "./core";
 import { call, compile } from "./module";
@@ -88,6 +89,8 @@ export interface CertaintyQuestion {
 
 /** A program to be run many times. */
 export type SeriesQuestion = SeriesRequest;
+/** A program on a machine, whatever is asked of it. */
+export type ProgramQuestion = WholeCertaintyRequest;
 
 /** What is asked aside: about a whole program, or how certain a measurement is. */
 export type Question =
@@ -97,6 +100,7 @@ export type Question =
   | ({ ask: "cure" } & CureRequest)
   | ({ ask: "equip" } & SupplyRequest)
   | ({ ask: "certainty" } & CertaintyQuestion)
+  | ({ ask: "whole_certainty" } & ProgramQuestion)
   | ({ ask: "series" } & SeriesQuestion)
   | ({ ask: "run" } & RunQuestion);
 
@@ -173,8 +177,10 @@ function changes(
   return answers;
 }
 
-/** A question about a program that is answered at once; a run is answered in pieces. */
-export type AtOnce = Exclude<Question, { ask: "run" | "certainty" | "series" }>;
+/** What is run, once or many times: nothing of the program changes by its answer. */
+type Carried = "run" | "certainty" | "whole_certainty" | "series";
+/** A question about a program that is answered at once. */
+export type AtOnce = Exclude<Question, { ask: Carried }>;
 
 /** The answer as JSON text, so that a worker can hand it over as it is; about the text in the module, if one is. */
 export function answer(question: Exclude<Question, { ask: "run" }>, held: Held | null = null): string {

@@ -127,7 +127,13 @@ function atOnce(core: ProgramCore, question: AtOnce): Answer {
 function taken(state: State, answer: Answered | null, catalogue: Catalogue): State {
   if (!answer || !isOfNow(answer.question, state)) return state;
   const { question, json, problem } = answer;
-  if (question.ask === "run" || question.ask === "certainty" || question.ask === "series") return state;
+  switch (question.ask) {
+    case "run":
+    case "certainty":
+    case "whole_certainty":
+    case "series":
+      return state;
+  }
   return json === undefined
     ? failed(state, question, problem ?? "")
     : answered(state, question, JSON.parse(json) as Answer, catalogue);

@@ -1,6 +1,7 @@
 // Everything to be seen, in the language that counts when it is made. Another language: another bench, from the same
 // state.
 
+import type { ProgramQuestion } from "../core/program";
 import type { Actions } from "../desk/actions";
 import type { Derived } from "../desk/derive";
 import { givenTo, machineTo } from "../desk/given";
@@ -136,14 +137,17 @@ export function createBench(parts: Parts): Bench {
     const has = core();
     if (has) void import("../views/user-programs").then(({ openUserPrograms }) => openUserPrograms(has, stop.signal));
   };
-  const series = (): void => {
-    const [now, has] = [shown, core()];
-    if (!now || !has) return;
-    const { state, derived } = now;
+  const asked = (): ProgramQuestion | null => {
+    if (!shown) return null;
+    const { state, derived } = shown;
     const { known: _, arguments: __, strict: ___, ...given } = givenTo(state);
     const setup = machineTo(state, derived.view);
-    const asked = { control: state.form.control, text: derived.program, ...(setup && { setup }), ...given };
-    void import("../views/series").then(({ openSeries }) => openSeries(has, asked, stop.signal));
+    return { control: state.form.control, text: derived.program, ...(setup && { setup }), ...given };
+  };
+  const series = (): void => {
+    const [program, has] = [asked(), core()];
+    if (!program || !has) return;
+    void import("../views/series").then(({ openSeries }) => openSeries(has, program, stop.signal));
   };
   const commands = commandsOf(store, actions, {
     save: program.save,
@@ -197,6 +201,7 @@ export function createBench(parts: Parts): Bench {
           {
             paper: (which, made) => void paper(which, made),
             series,
+            program: asked,
             core,
             arrows(all) {
               stage.arrows = all;

@@ -264,7 +264,7 @@ function wholes(): States {
   ];
   return [rows.slice(0, 1), rows].map(answers => {
     const none = (): undefined => undefined;
-    const ways = { paper: none, series: none, core: () => null, arrows: none, real: none };
+    const ways = { paper: none, series: none, program: () => null, core: () => null, arrows: none, real: none };
     const whole = createWhole(store, actions, none, ways);
     const run = { answers, finished: true } as unknown as RunView;
     const derived = { run, read: { calls: [] }, step: 3 } as unknown as Derived;

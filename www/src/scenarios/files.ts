@@ -5,9 +5,13 @@ import { createJob } from "../pace";
 import { readProgram } from "../state/files";
 import type { Beside, Scenario, ScenarioText } from "../wire";
 
+/** Of a scenario that is built in, where its truth is: a worked measurement or figures of a manual, a closed loop. */
+export type Kind = "example" | "vector" | "loop";
+
 /** A scenario; what it needs is read when its turn comes. */
 export interface Found {
   name: string;
+  kind?: Kind;
   text(): Promise<string>;
   /** The files that a text names. */
   beside(text: string): Promise<Beside[]>;

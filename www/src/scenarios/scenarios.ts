@@ -13,10 +13,10 @@ import { fileOf, saveFile } from "../state/files";
 import type { State } from "../state/state";
 import { say, sayProblem, t } from "../texts";
 import type { CaseView, NoteRequest, Scenario, ScenarioView } from "../wire";
-import { type Found, scenariosIn } from "./files";
+import { type Found, type Kind, scenariosIn } from "./files";
 
 /** What came of a scenario, or why nothing did. */
-type Came = { name: string } & (ScenarioView | { why: string });
+type Came = { name: string; kind?: Kind } & (ScenarioView | { why: string });
 
 /** What is carried out: `count` scenarios, since when, until when (ms). */
 interface Series {
@@ -32,7 +32,7 @@ const good = (came: Came): boolean => "cases" in came && came.cases.every(holds)
 
 export interface Scenarios {
   open(): void;
-  /** The worked measurements of the manuals in this browser. */
+  /** Worked measurements of the manuals, their figures and closed loops in this browser. */
   check(): void;
 }
 
@@ -56,11 +56,12 @@ export function createScenarios(
     if (series?.until === null) series.until = performance.now();
     draw();
   };
-  const one = async ({ name, text, beside }: Found): Promise<Came> => {
+  const one = async ({ name, kind, text, beside }: Found): Promise<Came> => {
     const read = await text();
     const proved = await prover.ask({ text: read, beside: await beside(read) });
-    if ("problem" in proved) return { name, why: sayProblem(proved.problem) };
-    return { name, ...(JSON.parse(proved.json) as ScenarioView) };
+    const what = kind ? { name, kind } : { name };
+    if ("problem" in proved) return { ...what, why: sayProblem(proved.problem) };
+    return { ...what, ...(JSON.parse(proved.json) as ScenarioView) };
   };
   const carryOut = async (found: readonly Found[]): Promise<void> => {
     stop();
@@ -169,10 +170,14 @@ function row(came: Came): TemplateResult {
     <span class="visually-hidden">${t(fine ? "scenarios-good" : "scenarios-bad")}</span>
     <span class="scenario-name">${came.name}</span>
     <span class="meta">${"why" in came ? nothing : `${length}/${cases.length}`}</span>
-    <span class="meta scenario-source">${"source" in came ? came.source : nothing}</span>
+    <span class="meta scenario-source">${"source" in came ? from(came) : nothing}</span>
     ${"why" in came ? html`<p>${came.why}</p>` : cases.filter(one => !holds(one)).map(differing)}
   </li>`;
 }
+
+/** Where its figures come from. */
+const from = ({ kind, source }: { kind?: Kind; source: string }): string =>
+  kind ? t(`scenarios-from-${kind}`, { source }) : source;
 
 const differing = ({ id, differences }: CaseView): TemplateResult =>
   html`<p><strong>${id}</strong></p>

@@ -22,6 +22,10 @@ function chances({ good, rework, scrap, beyond }: NonNullable<Certain["chances"]
   return words.map(([name, share]) => t(`certain-${name}`, { share: percent(share) })).join(", ");
 }
 
+/** What a value proves, and the chances of its part. */
+export const provenOf = ({ proof, chances: all }: Certain): string =>
+  [proof ? t(`certain-proof-${proof}`) : "", all ? chances(all) : ""].filter(Boolean).join(" ");
+
 /** The most important quantity; none where nothing spreads. */
 export function certainty({ figures, stopped }: CertaintyView): TemplateResult | typeof nothing {
   const first = figures[0];

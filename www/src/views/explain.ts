@@ -57,7 +57,8 @@ export function createExplain(): Explain {
       setText(named, say(field.label));
       setText(code, field.name);
       const source = field.source && t("field-source", { source: field.source });
-      setText(told, `${say(field.help)} ${needText(field)} ${source}`.trimEnd());
+      const argument = field.argument ? say(field.argument) : "";
+      setText(told, [say(field.help), needText(field), argument, source].filter(Boolean).join(" "));
     },
   };
 }

@@ -9,7 +9,7 @@ import type { Store } from "../state/store";
 import { say, t } from "../texts";
 import type { Field, Topic } from "../wire";
 
-const TOPICS: readonly Topic[] = ["task", "correction", "approach", "tolerances", "statistics", "probe"];
+const TOPICS: readonly Topic[] = ["task", "correction", "approach", "tolerances", "statistics", "probe", "list"];
 const NAMED = 3; // values in the line of a folded section
 const ENTRY = ".entry-line > .figure";
 

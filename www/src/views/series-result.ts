@@ -8,6 +8,11 @@ import type { SeriesCall, SeriesCorrection, SeriesFigure, SeriesShare, SeriesVie
 import { amount, unitBehind } from "./amounts";
 import { chart, type Line } from "./series-chart";
 
+const SAME = 1e-9; // what does not vary needs no chart
+
+/** How many parts of a series came to the end. */
+export const endingOf = ({ runs, finished, seed }: SeriesView): string => t("runs-ending", { runs, finished, seed });
+
 const percent = (share: number): string => fixed(100 * share, 1);
 const whole = (value: number): string => fixed(value, 2);
 const nameOf = ({ target, part }: SeriesCorrection): string => `${say(target)} ${part}`.trim();
@@ -48,7 +53,7 @@ function shares(title: string, all: readonly SeriesShare[]): TemplateResult | ty
   </div>`;
 }
 
-function figureOf(figure: SeriesFigure, call: SeriesCall, main: boolean, runs: number): TemplateResult {
+function figureOf(figure: SeriesFigure, call: SeriesCall, main: boolean, runs: number, width: number): TemplateResult {
   const { unit, mean, deviation, min, max, capability } = figure;
   const told = t("runs-spread", {
     mean: amount(mean, unit),
@@ -57,7 +62,12 @@ function figureOf(figure: SeriesFigure, call: SeriesCall, main: boolean, runs: n
     max: `${amount(max, unit)}${unitBehind(unit)}`,
   });
   const [cp, cpk] = capability ? [capability.cpInterval, capability.cpkInterval] : [];
-  return html`${chart(say(figure.label), t("runs-parts"), linesOf(figure, call, main), runs, unit)}
+  const flat = !main && max - min < SAME;
+  return html`${
+    flat
+      ? html`<h4>${say(figure.label)}</h4>`
+      : chart(say(figure.label), t("runs-parts"), linesOf(figure, call, main), runs, unit, width)
+  }
     <p>${told}</p>
     ${
       capability && cp && cpk
@@ -78,7 +88,7 @@ function tableOf({ measured, corrected, memories = [] }: SeriesCall, adds: boole
   const columns = [
     ...measured.map(({ label, unit, course }) => ({ head: say(label), unit, values: course })),
     ...corrected.map(one => ({ head: nameOf(one), unit: one.unit, values: course(one, adds) })),
-    ...memories.map(({ name, course }) => ({ head: name, unit: "mm", values: course })),
+    ...memories.map(({ name, unit, course }) => ({ head: name, unit, values: course })),
   ];
   const rows = Math.max(0, ...columns.map(({ values }) => values.length));
   const cell = (value: number | null | undefined, unit: string): string => (value == null ? "–" : amount(value, unit));
@@ -96,18 +106,18 @@ function tableOf({ measured, corrected, memories = [] }: SeriesCall, adds: boole
   </div>`;
 }
 
-function callOf(call: SeriesCall, { runs, mode }: SeriesView): TemplateResult {
+function callOf(call: SeriesCall, { runs, mode }: SeriesView, width: number): TemplateResult {
   const adds = mode === "production";
   const { line, cycle, feature, measured, corrected, verdicts, uncorrected = [] } = call;
   const shown = measured.slice(0, 1)[0]?.course.length ?? runs;
   const title = t("runs-call", { line: line ?? 0, cycle: cycle ?? "", feature: say(feature) });
   return html`<section class="series-call">
     <h3>${title}</h3>
-    ${measured.map((figure, at) => figureOf(figure, call, at === 0, shown))}
+    ${measured.map((figure, at) => figureOf(figure, call, at === 0, shown, width))}
     ${corrected.map(one => {
       const name = t(adds ? "runs-correction-sum" : "runs-correction", { name: nameOf(one) });
       const line: Line = { kind: "correction", name: nameOf(one), values: course(one, adds) };
-      return html`${chart(name, t("runs-parts"), [line], one.course.length, one.unit)}
+      return html`${chart(name, t("runs-parts"), [line], one.course.length, one.unit, width)}
         <p>${t("runs-corrected", { count: one.count })}</p>`;
     })}
     <div class="series-both">
@@ -118,11 +128,10 @@ function callOf(call: SeriesCall, { runs, mode }: SeriesView): TemplateResult {
   </section>`;
 }
 
-/** All of it. */
-export function resultOf(view: SeriesView): TemplateResult {
-  const { runs, finished, seed, calls, alarms } = view;
-  return html`<p class="series-ending">${t("runs-ending", { runs, finished, seed })}</p>
-    ${calls.length ? calls.map(call => callOf(call, view)) : html`<p>${t("runs-no-call")}</p>`}
+/** All of it, in charts of this width, px. */
+export function resultOf(view: SeriesView, width: number): TemplateResult {
+  const { calls, alarms } = view;
+  return html`${calls.length ? calls.map(call => callOf(call, view, width)) : html`<p>${t("runs-no-call")}</p>`}
     ${
       alarms.length
         ? html`<section class="series-alarms"><h3>${t("runs-alarms")}</h3><ul>${alarms.map(

@@ -12,12 +12,14 @@ import { fileOf, saveFile } from "../state/files";
 import type { State } from "../state/state";
 import type { Store } from "../state/store";
 import { language, listed, say, t } from "../texts";
-import type { RunRecord, RunView } from "../wire";
+import type { Certain, RunRecord, RunView } from "../wire";
 import { amount, correctedText, mainFigures } from "./amounts";
 import { VERDICT_ICONS } from "./answer";
+import { provenOf } from "./certain";
 import { csv } from "./csv";
 import { createProtocol, type ProtocolWays } from "./protocol";
 import { type RecordShown, recordOf, recordText } from "./record";
+import { type CertainWays, createWholeCertain, spreadOf, type WholeCertain } from "./whole-certain";
 
 type Row = RunView["answers"][number];
 const BEYOND = 6; // rows drawn above and below what is in sight
@@ -77,8 +79,8 @@ function sorted(rows: Row[], column: Column, down: boolean): number[] {
   return down ? order.reverse() : order;
 }
 
-/** A deviation from the middle within its limits; what the table says in figures beside it. */
-function bar({ gauge }: Row): TemplateResult | string {
+/** A deviation from the middle within its limits, and how certain it is; the table says both in figures beside it. */
+function bar({ gauge }: Row, certain: Certain | undefined): TemplateResult | string {
   if (!gauge) return "";
   const at = (value: number): number => {
     const part = (value - gauge.low) / (gauge.high - gauge.low);
@@ -91,6 +93,11 @@ function bar({ gauge }: Row): TemplateResult | string {
     <line class="mark" x1=${at(0)} x2=${at(0)} y1="2" y2="14"></line>
     ${gauge.needles.map(
       one => svg`<g class=${`needle needle-${one.kind}`}>
+        ${
+          certain
+            ? svg`<path class="needle-certain" d=${`M${at(one.value - certain.expanded)} 8H${at(one.value + certain.expanded)}`}></path>`
+            : nothing
+        }
         <path d=${`M${at(0)} 8H${at(one.value)}`}></path><circle cx=${at(one.value)} cy="8" r="3"></circle>
       </g>`,
     )}
@@ -98,14 +105,14 @@ function bar({ gauge }: Row): TemplateResult | string {
 }
 
 /** The bar with its limits and the share of them below it. */
-function limited(row: Row): TemplateResult | string {
+function limited(row: Row, certain: Certain | undefined): TemplateResult | string {
   const limits = row.figures.find(one => one.limits)?.limits;
   const unit = row.gauge?.unit ?? "";
   if (!limits) return "";
   const [low, high] = [limits.low, limits.high].map(one => amount(one, unit, true));
   const part = used(row);
   const told = part === null ? "" : t("whole-used", { share: Math.round(part * 100) });
-  return html`${bar(row)}<span class="limits-text" title=${t("whole-between", { low: low ?? "", high: high ?? "" })}
+  return html`${bar(row, certain)}<span class="limits-text" title=${t("whole-between", { low: low ?? "", high: high ?? "" })}
       >${limits.low === -limits.high ? `±${amount(limits.high, unit)}` : `${low} ${high}`}<b>${told}</b></span
     >`;
 }
@@ -120,9 +127,15 @@ const CALIBRATED: Record<Row["probe"]["state"], IconName> = {
 
 const lines = (texts: string[]): TemplateResult[] => texts.map(text => html`<span>${text}</span>`);
 
-/** `simulated`: whether it is known what was corrected. */
-function cells(row: Row, index: number, files: RunView["files"], simulated: boolean): Record<Column, unknown> {
+/** `certain`: of what was simulated; only of that it is known what was corrected. */
+function cells(
+  row: Row,
+  index: number,
+  files: RunView["files"],
+  certain: WholeCertain | null,
+): Record<Column, unknown> {
   const main = mainFigures(row);
+  const proof = certain?.proof(index);
   const off = main.map(one => (one.deviation === undefined ? "–" : amount(one.deviation, one.unit, true)));
   const size = (value: number | undefined, unit: string): string =>
     value === undefined ? "–" : `${amount(value, unit)}${unit === "deg" ? "°" : ""}`;
@@ -131,13 +144,17 @@ function cells(row: Row, index: number, files: RunView["files"], simulated: bool
     feature: say(row.feature),
     line: row.line === undefined ? "–" : shortLine(files, row.line),
     nominal: lines(main.map(one => size(one.set, one.unit))),
-    actual: lines(main.length ? main.map(one => `${one.symbol} ${size(one.actual, one.unit)}`.trim()) : ["–"]),
-    limits: limited(row),
+    actual: lines(
+      main.length
+        ? main.map(one => `${one.symbol} ${size(one.actual, one.unit)}${spreadOf(certain?.of(index, one.name))}`.trim())
+        : ["–"],
+    ),
+    limits: limited(row, proof),
     deviation: lines(off.length ? off : ["–"]),
-    verdict: html`<span class="verdict" data-verdict=${row.verdict} title=${say(row.why)}
+    verdict: html`<span class="verdict" data-verdict=${row.verdict} title=${`${say(row.why)}${proof ? ` ${provenOf(proof)}` : ""}`} data-proof=${proof?.proof ?? nothing}
       >${iconPart(VERDICT_ICONS[row.verdict])}${say(row.verdict_words)}</span
     >`,
-    corrects: simulated ? correctedText(row) || t("bar-nothing") : "–",
+    corrects: certain ? correctedText(row) || t("bar-nothing") : "–",
     probe: html`<span class="probe" data-state=${row.probe.state} title=${say(row.probe.name)}
       >${row.probe.number}${iconPart(CALIBRATED[row.probe.state])}<span class="visually-hidden"
         >${say(row.probe.calibration)}</span
@@ -151,7 +168,7 @@ function indexAt(rows: Row[], step: number): number {
 }
 
 /** What the table needs of the page. */
-export interface WholeWays extends ProtocolWays {
+export interface WholeWays extends ProtocolWays, CertainWays {
   paper(which: "record", shown: RecordShown): void;
   series(): void;
 }
@@ -179,7 +196,8 @@ export function createWhole(
   const error = el("p", { class: "whole-error", role: "note" });
   const real = el("button", { type: "button", title: t("protocol-open-hint") }, icon("open"), t("protocol-open"));
   const series = el("button", { type: "button", title: t("runs-open-hint") }, icon("dice"), t("runs-open"));
-  const buttons = [worst, asTable, asDocument, series, onPaper, real];
+  const certain = createWholeCertain(ways, () => rows(), drawRows);
+  const buttons = [worst, asTable, asDocument, certain.button, series, onPaper, real];
   const top = el("div", { class: "whole-top" }, el("h3", {}, t("whole-title")), counts, ...buttons);
   const root = el("section", { class: "whole" }, top);
 
@@ -199,7 +217,7 @@ export function createWhole(
     arrange();
     store.update({});
   });
-  root.append(protocol.root, error, table);
+  root.append(protocol.root, error, certain.status, table);
   /** What was measured on the real machine, else what was simulated. */
   const shown = (): RecordShown | null => run && (protocol.view ? { ...protocol.view, files: run.files } : run);
   const rows = (): Row[] => shown()?.answers ?? [];
@@ -220,7 +238,7 @@ export function createWhole(
     );
   };
 
-  const drawRows = (): void => {
+  function drawRows(): void {
     const all = rows();
     const tall = height();
     const selected = chosen();
@@ -228,12 +246,13 @@ export function createWhole(
     const last = Math.min(all.length, Math.ceil((table.scrollTop + table.clientHeight) / tall) + BEYOND);
     space.style.height = `${all.length * tall}px`;
     setAttribute(table, "aria-rowcount", all.length + 1);
+    root.toggleAttribute("data-certain", certain.known());
     const shown = order.slice(first, last).map((index, offset) => ({ index, place: first + offset }));
     render(
       shown.map(({ index, place }) => {
         const row = all[index];
         if (!row) return "";
-        const of = cells(row, index, run?.files, !protocol.view);
+        const of = cells(row, index, run?.files, protocol.view ? null : certain);
         return html`<div role="row" class=${place === current ? "whole-row current" : "whole-row"}
           id=${`whole-${index}`} data-place=${place} data-verdict=${row.verdict}
           aria-rowindex=${place + 2} aria-selected=${String(index === selected)}
@@ -249,7 +268,7 @@ export function createWhole(
     );
     const there = order[current];
     setAttribute(table, "aria-activedescendant", current >= first && current < last ? `whole-${there}` : null);
-  };
+  }
 
   const bring = (place: number): void => {
     const tall = height();
@@ -349,8 +368,10 @@ export function createWhole(
 
   /** Other rows are shown. */
   function arrange(): void {
+    // a run that comes anew while somebody moves through the same rows leaves them where they are
+    const kept = document.activeElement === table && order.length === rows().length ? order[current] : undefined;
     order = sorted(rows(), column, down);
-    current = Math.max(0, order.indexOf(chosen()));
+    current = Math.max(0, order.indexOf(kept ?? chosen()));
     setText(counts, count());
     setText(error, stopped());
     show(error, stopped() !== "");
@@ -388,6 +409,7 @@ export function createWhole(
       const shownIn = language();
       protocol.draw(state, derived);
       if (run !== derived.run || spoken !== shownIn) {
+        if (run !== derived.run) certain.forget();
         run = derived.run;
         spoken = shownIn;
         step = derived.step;

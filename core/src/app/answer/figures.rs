@@ -53,8 +53,8 @@ pub(super) enum Sort {
     Centre(usize),
     /// Position along the measuring axis.
     Position,
-    /// Angle.
-    Angle,
+    /// Angle about an axis.
+    Angle(usize),
     /// Corner along an axis.
     Corner(usize),
     /// Length of a tool.
@@ -107,9 +107,19 @@ const ROWS: &[Row] = &[
         Sort::Centre(1),
     ),
     Row("result-actual-position", "result-set-position", "result-difference-position", Sort::Position),
-    Row("result-actual-angle", "result-set-angle", "result-difference-angle", Sort::Angle),
-    Row("result-actual-angle-abscissa", "result-set-angle-abscissa", "result-difference-angle-abscissa", Sort::Angle),
-    Row("result-actual-angle-ordinate", "result-set-angle-ordinate", "result-difference-angle-ordinate", Sort::Angle),
+    Row("result-actual-angle", "result-set-angle", "result-difference-angle", Sort::Angle(2)),
+    Row(
+        "result-actual-angle-abscissa",
+        "result-set-angle-abscissa",
+        "result-difference-angle-abscissa",
+        Sort::Angle(0),
+    ),
+    Row(
+        "result-actual-angle-ordinate",
+        "result-set-angle-ordinate",
+        "result-difference-angle-ordinate",
+        Sort::Angle(1),
+    ),
     Row(
         "result-sphere1-actual-diameter",
         "result-sphere1-set-diameter",
@@ -144,7 +154,7 @@ const ROWS: &[Row] = &[
     Row("result-sphere3-actual-applicate", "", "result-sphere3-difference-applicate", Sort::Centre(2)),
     Row("result-corner-abscissa", "", "", Sort::Corner(0)),
     Row("result-corner-ordinate", "", "", Sort::Corner(1)),
-    Row("result-edge-angle", "", "", Sort::Angle),
+    Row("result-edge-angle", "", "", Sort::Angle(2)),
     Row("result-actual-l1", "", "result-difference-l1", Sort::ToolLength("L1")),
     Row("result-actual-l2", "", "result-difference-l2", Sort::ToolLength("L2")),
     Row("result-actual-radius", "", "result-difference-radius", Sort::ToolRadius),
@@ -261,7 +271,7 @@ fn named(sort: Sort, inputs: &Inputs) -> (&'static str, String) {
         Sort::Sphere | Sort::Ball => ("answer-diameter", "Ø".to_owned()),
         Sort::Centre(index) => ("answer-centre", axis(index)),
         Sort::Position => ("answer-position", measured(inputs).map_or_else(none, axis)),
-        Sort::Angle => ("answer-angle", none()),
+        Sort::Angle(_) => ("answer-angle", none()),
         Sort::Corner(index) => ("answer-corner", axis(index)),
         Sort::ToolLength(name) => ("answer-tool-length", name.to_owned()),
         Sort::ToolRadius => ("answer-radius", "R".to_owned()),

@@ -265,7 +265,7 @@ fn empirical(called: &Called, entries: &[Entry], control: &Control) -> f64 {
 /// What stands at a needle.
 fn label(sort: Sort, symbol: &str) -> String {
     match sort {
-        Sort::Size | Sort::Two | Sort::Angle => String::new(),
+        Sort::Size | Sort::Two | Sort::Angle(_) => String::new(),
         _ => symbol.to_owned(),
     }
 }

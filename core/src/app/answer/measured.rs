@@ -33,12 +33,15 @@ pub struct Deviates {
     pub out: f64,
     /// The same for faces across X, Y and Z of the workpiece.
     pub across: [f64; 3],
+    /// By which angle they are turned about X, Y and Z of the workpiece, degree; about the first point of them that is
+    /// touched.
+    pub turn: [f64; 3],
 }
 
 /// What a call came to with these values; what has none was not measured.
 pub fn measured(called: &Called, outcome: &run::Outcome, values: &Values) -> Answer {
     let (entries, _) = called.entries(outcome);
-    let mut sorts = real(called, &entries, values, |value, set| value.set.or(set));
+    let mut sorts = real(called, &entries, values);
     let gauge = gauge(called, &entries, &outcome.control, &mut sorts);
     let figures: Vec<Figure> = sorts.into_iter().map(|(_, figure)| figure).collect();
     let verdict = verdict(&called.inputs, gauge.as_ref());
@@ -56,17 +59,12 @@ pub fn measured(called: &Called, outcome: &run::Outcome, values: &Values) -> Ans
     }
 }
 
-/// The quantities of a call that have a value. `expected`: the setpoint of a value, which the run has as this one.
-fn real(
-    called: &Called,
-    entries: &[Entry],
-    values: &Values,
-    expected: impl Fn(&Value, Option<f64>) -> Option<f64>,
-) -> Vec<(Sort, Figure)> {
+/// The quantities of a call that have a value.
+fn real(called: &Called, entries: &[Entry], values: &Values) -> Vec<(Sort, Figure)> {
     let sorts = found(called, entries).into_iter();
     let with = sorts.filter_map(|(sort, figure)| {
         let value = values.get(figure.name)?;
-        let set = expected(value, figure.set);
+        let set = value.set.or(figure.set);
         let deviation = set.map(|set| value.actual - set);
         Some((sort, Figure { actual: value.actual, set, deviation, ..figure }))
     });
@@ -94,37 +92,49 @@ fn why(verdict: Verdict, gauge: Option<&Gauge>, none: bool) -> Message {
     }
 }
 
-/// How the faces that a call touches deviate by these values from where the run expects them. Of several spheres nobody
-/// can tell which touch is whose.
-pub fn deviates(called: &Called, entries: &[Entry], values: &Values) -> Deviates {
+/// How the faces that a call touches deviate by these values from where the run expects them, which is its setpoint, or
+/// what it measured itself where there is none. One for each body that is touched: several spheres are measured one
+/// after the other, each by as many touches (B:8297-8310).
+pub fn deviates(called: &Called, entries: &[Entry], values: &Values) -> Vec<Deviates> {
     let inputs = &called.inputs;
     let purpose = &inputs.cycle.purpose;
-    let sorts = real(called, entries, values, |_, set| set);
-    let spheres = sorts.iter().filter(|(sort, _)| *sort == Sort::Sphere).count();
-    let mut all = Deviates::default();
-    if purpose.probe != ProbeUse::Workpiece || purpose.calibrates.holds(inputs) || spheres > 1 {
+    let mut all = vec![Deviates::default()];
+    if purpose.probe != ProbeUse::Workpiece || purpose.calibrates.holds(inputs) {
         return all;
     }
-    let outward = if inside(inputs) == Some(true) { -1.0 } else { 1.0 };
-    let axes = inputs.plane.axes();
-    let halved = |axis: usize| if inputs.diameters && axis == 0 { 0.5 } else { 1.0 };
-    for (sort, figure) in sorts {
-        let Some(by) = figure.deviation.map(|by| if figure.unit == "deg" { by } else { by * called.units.factor() })
-        else {
-            continue;
-        };
+    let mut spheres = 0;
+    for (sort, figure) in found(called, entries) {
+        spheres += usize::from(sort == Sort::Sphere);
+        if spheres > all.len() {
+            all.push(Deviates::default());
+        }
+        if let (Some(one), Some(value)) = (all.last_mut(), values.get(figure.name)) {
+            let by = value.actual - figure.set.unwrap_or(figure.actual);
+            let factor = if figure.unit == "deg" { 1.0 } else { called.units.factor() };
+            one.add(inputs, sort, by * factor);
+        }
+    }
+    all
+}
+
+impl Deviates {
+    /// Of a quantity that is by so much larger than it should be, mm or degree.
+    fn add(&mut self, inputs: &Inputs, sort: Sort, by: f64) {
+        let outward = if inside(inputs) == Some(true) { -1.0 } else { 1.0 };
+        let axes = inputs.plane.axes();
+        let halved = |axis: usize| if inputs.diameters && axis == 0 { 0.5 } else { 1.0 };
         match sort {
-            Sort::Size | Sort::Sphere => all.out += outward * by / 2.0,
-            Sort::Length(index) => all.across[axes[index.min(2)]] += outward * by / 2.0,
-            Sort::Centre(index) => all.shift[axes[index.min(2)]] += by,
-            Sort::Two => all.out += outward * by * axis(inputs).map_or(1.0, |index| halved(axes[index])),
+            Sort::Size | Sort::Sphere => self.out += outward * by / 2.0,
+            Sort::Length(index) => self.across[axes[index.min(2)]] += outward * by / 2.0,
+            Sort::Centre(index) | Sort::Corner(index) => self.shift[axes[index.min(2)]] += by,
+            Sort::Angle(index) => self.turn[axes[index.min(2)]] += by,
+            Sort::Two => self.out += outward * by * axis(inputs).map_or(1.0, |index| halved(axes[index])),
             Sort::Position => {
                 if let Some(axis) = axis(inputs).map(|index| axes[index]) {
-                    all.shift[axis] += by * halved(axis);
+                    self.shift[axis] += by * halved(axis);
                 }
             }
             _ => {}
         }
     }
-    all
 }

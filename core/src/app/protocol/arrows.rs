@@ -2,8 +2,8 @@
 //! normal, to where the protocol says that it is.
 
 use crate::app::answer::{Deviates, Values, deviates};
-use crate::geometry::{Dir, Mcs};
-use crate::machine::Step;
+use crate::geometry::{Dir, Mcs, V3};
+use crate::machine::{Entry, Step};
 use crate::run::Outcome;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -31,18 +31,34 @@ pub fn arrows(values: &BTreeMap<usize, Values>, outcome: &Outcome) -> Vec<Arrow>
     for (call, actual) in values {
         let Some(called) = outcome.called.get(*call) else { continue };
         let (entries, _) = called.entries(outcome);
-        let Deviates { shift, out, across } = deviates(called, &entries, actual);
-        for entry in &entries {
-            let Step::Touch { point, normal, .. } = &entry.step else { continue };
-            let along = axes.map(|axis| dot(&axis, normal));
-            let by = (0..3).map(|axis| along[axis] * shift[axis] + along[axis].abs() * across[axis]);
-            let by = by.sum::<f64>() + out;
-            if by.abs() > SMALLEST {
-                all.push(Arrow { call: *call, at: *point, by: *normal * by });
-            }
+        let touch = |entry: &Entry| {
+            if let Step::Touch { point, normal, .. } = entry.step { Some((point, normal)) } else { None }
+        };
+        let touches: Vec<(Mcs, Dir<Mcs>)> = entries.iter().filter_map(touch).collect();
+        let bodies = deviates(called, &entries, actual);
+        let each = touches.len() / bodies.len().max(1);
+        if each == 0 || touches.len() % bodies.len() != 0 {
+            continue; // nobody can tell which touch is whose
+        }
+        for (body, touches) in bodies.iter().zip(touches.chunks(each)) {
+            all.extend(touches.iter().filter_map(|touch| {
+                let by = out(body, &axes, touches[0].0, touch);
+                (by.abs() > SMALLEST).then(|| Arrow { call: *call, at: touch.0, by: touch.1 * by })
+            }));
         }
     }
     all
+}
+
+/// By how much the face lies further out at a touch, mm. `axes`: those of the workpiece; `pivot`: about what it turns.
+fn out(body: &Deviates, axes: &[Dir<Mcs>; 3], pivot: Mcs, (point, normal): &(Mcs, Dir<Mcs>)) -> f64 {
+    let from_pivot = V3::from(*point - pivot);
+    let by = |axis: usize| {
+        let along = dot(&axes[axis], normal);
+        let turned = V3::from(axes[axis]).cross(&from_pivot) * body.turn[axis].to_radians();
+        along * body.shift[axis] + along.abs() * body.across[axis] + turned.dot(&V3::from(*normal))
+    };
+    (0..3).map(by).sum::<f64>() + body.out
 }
 
 fn dot(one: &Dir<Mcs>, other: &Dir<Mcs>) -> f64 {

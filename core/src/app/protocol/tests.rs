@@ -108,6 +108,46 @@ fn arrows_lead_to_the_faces_of_the_real_part() {
     }
 }
 
+/// What a program measures on one part laid onto another, and where the first one is touched.
+fn laid_onto(program: &str, real: &Setup, nominal: &Setup) -> (Vec<Arrow>, Vec<Mcs>) {
+    let run = |setup: &Setup| {
+        let program = syntax::read(Dialect::Sinumerik, program.as_bytes());
+        Session::new(program, setup, Limits::default()).complete()
+    };
+    let outcome = run(real);
+    assert!(outcome.finished(), "{:?}", outcome.stop);
+    let record = Record::new(String::new(), real, &outcome, Vec::new());
+    let view = laid(&csv(&record, &plain), None, nominal, &run(nominal)).unwrap();
+    let entries = outcome.trace.entries.to_vec().into_iter();
+    let touched = entries.filter_map(|one| if let Step::Touch { point, .. } = one.step { Some(point) } else { None });
+    (view.arrows, touched.collect())
+}
+
+/// A machine with this part.
+fn with_part(part: &str) -> Setup {
+    let file =
+        format!(r#"{{ "control": "sinumerik", "probe": {{ "radius": 3, "length": 50 }}, "workpiece": [{part}] }}"#);
+    let mut setup = machine(0.0, [0.0; 2]);
+    setup.workpiece = crate::json::setup_from_json(&file).unwrap().workpiece;
+    setup
+}
+
+// oracle: hand: a face turned by 0.5 degree about its first point is further off at the second, 40 mm away
+#[test]
+fn arrows_of_an_angle_turn_with_the_face() {
+    let program = "G17 G54 G90 T9 D1\nM6\nG0 Z50\nG0 X-20 Y-40\nG0 Z-5\n_PRNUM=1 _SETVAL=-20 _KNUM=0 _FA=8 _TSA=5 \
+        _MVAR=105 _VMS=0 _NMSP=1 _STA1=0 _ID=40 _MA=102 _RA=0\nCYCLE998\nM30\n";
+    let block = |turned: f64| {
+        let errors = format!(r#""errors": {{ "tilt": [0, 0, {turned}] }}"#);
+        with_part(&format!(r#"{{ "shape": "block", "size": [200, 40, 20], "at": [0, 0, 0], {errors} }}"#))
+    };
+    let (arrows, there) = laid_onto(program, &block(0.5), &block(0.0));
+    assert_eq!((arrows.len(), there.len()), (1, 2), "none at the first point: {arrows:?}");
+    // where the first point lies the angle does not tell
+    let turned = arrows[0].at[1] + arrows[0].by[1] - -20.0;
+    assert!((turned - (there[1][1] - there[0][1])).abs() < 2e-3, "{arrows:?} {there:?}");
+}
+
 fn columns(named: &[(&str, &str)]) -> ProtocolColumns {
     let of = |name: &str| named.iter().find(|(one, _)| *one == name).map(|(_, column)| (*column).to_owned());
     ProtocolColumns {

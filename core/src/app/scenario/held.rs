@@ -39,10 +39,14 @@ struct Held {
 
 impl Held {
     fn stop(&mut self, expected: Option<&Value>, found: Option<&Stop>) {
-        let (expected, found) = (expected.map(named), found.map(cause));
-        if expected == found {
+        let (expected, caused) = (expected.map(named), found.map(cause));
+        if expected == caused {
             return;
         }
+        // what a fault is about stands in its own line
+        let fault = found.and_then(|stop| if let Stop::Fault(message) = stop { Some(message) } else { None });
+        let told = fault.filter(|message| !message.args.is_empty());
+        let found = told.map_or(caused, |_| Some("scenario-fault".to_owned()));
         let key = match (&expected, &found) {
             (None, _) => "scenario-stopped",
             (Some(_), None) => "scenario-not-stopped",
@@ -50,6 +54,7 @@ impl Held {
         };
         let texts = Message::new(key).text("expected", expected.unwrap_or_default());
         self.found.push(texts.text("found", found.unwrap_or_default()));
+        self.found.extend(told.cloned());
     }
 
     fn alarms(&mut self, expected: &[Value], outcome: &Outcome) {

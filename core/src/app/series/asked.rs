@@ -1,6 +1,6 @@
 //! A series as the page asks for it.
 
-use super::{SeriesView, example, series};
+use super::{SeriesView, WORK, example, series};
 use crate::app::beside::{Beside, Whole};
 use crate::app::start::{Machine, start};
 use crate::app::{Error, ProgramText};
@@ -8,10 +8,11 @@ use crate::dialect::Dialect;
 use crate::machine::Setup;
 use crate::machine::series::Series;
 use crate::message::Message;
-use crate::run::Session;
-use crate::series::draw;
-use crate::syntax;
+use crate::run::{Limits, Outcome, Session};
+use crate::series::draw::{self, Variable};
+use crate::syntax::{self, Program};
 use serde::{Deserialize, Serialize};
+use std::rc::Rc;
 use std::sync::Arc;
 
 /// A program to be run many times.
@@ -40,12 +41,25 @@ pub struct SeriesRequest {
 pub struct SeriesStart {
     /// That of the machine.
     pub series: Series,
-    /// What can vary of its probe and parts.
-    pub names: Vec<String>,
+    /// What can vary of its parts and probe.
+    pub names: Vec<SeriesName>,
     /// How to choose the limits of a correction, a paragraph each.
     pub help: Vec<Message>,
     /// The example of the manual.
     pub example: SeriesExample,
+}
+
+/// Something that can vary.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
+pub struct SeriesName {
+    /// Its name in the setup file.
+    pub name: String,
+    /// In words.
+    pub label: Message,
+    /// Which part of those on the machine, from 1; absent: it is of the probe.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub part: Option<usize>,
 }
 
 /// A program with its series, on a machine of its own.
@@ -84,24 +98,54 @@ pub fn series_start(mut asked: SeriesRequest) -> Result<SeriesStart, Error> {
     let (control, text) = (Dialect::Sinumerik, example::PROGRAM.to_owned());
     let example = SeriesExample { control, text, series: example::series() };
     let help = HELP.map(Message::new).into();
-    Ok(SeriesStart { names: draw::names(&setup), series: setup.series, help, example })
+    let named = |Variable { name, label, solid }| {
+        let part = solid.map(|solid| solid + 1);
+        SeriesName { name, label: Message::new(label), part }
+    };
+    let names = draw::variables(&setup).into_iter().map(named).collect();
+    Ok(SeriesStart { names, series: setup.series, help, example })
 }
 
-/// Runs a program many times. `told`: hears which share is done.
+/// A program that is ready to be run many times.
+pub struct Prepared {
+    /// The machine, with its series.
+    pub setup: Setup,
+    /// The program, read.
+    pub program: Rc<Program>,
+    /// Which program of the text is run, by its name; absent: the first.
+    pub main: Option<String>,
+}
+
+impl Prepared {
+    /// Carries it out once, on this machine.
+    pub(in crate::app) fn run(&self, machine: &Setup) -> Outcome {
+        let limits = Limits { steps: Some(WORK), ..Limits::default() }.unrecorded();
+        let session = Session::new(Rc::clone(&self.program), machine, limits);
+        match &self.main {
+            Some(name) => session.of_program(name).complete(),
+            None => session.complete(),
+        }
+    }
+}
+
+/// Reads what is to be run.
 ///
 /// # Errors
 /// The machine cannot be, a number of the series is beyond its range, or it names nothing of the machine.
-pub fn series_of(mut asked: SeriesRequest, told: &mut dyn FnMut(f64)) -> Result<SeriesView, Error> {
+pub(in crate::app) fn prepared(mut asked: SeriesRequest) -> Result<Prepared, Error> {
     let setup = machine(&mut asked)?;
     setup.varies()?;
     draw::known(&setup)?;
     let whole = Whole::new(asked.control, asked.text, asked.with);
     let macros = Arc::clone(&setup.control.definitions.macros);
     let program = syntax::read_held(whole.dialect(), whole.text(), &macros, &mut |_| {});
-    let main = asked.program;
-    let prepare = |session: Session| match &main {
-        Some(name) => session.of_program(name),
-        None => session,
-    };
-    Ok(series(&program.into(), &setup, &prepare, told))
+    Ok(Prepared { setup, program: program.into(), main: asked.program })
+}
+
+/// Runs a program many times. `told`: hears which share is done.
+///
+/// # Errors
+/// Those of [`prepared`].
+pub fn series_of(asked: SeriesRequest, told: &mut dyn FnMut(f64)) -> Result<SeriesView, Error> {
+    Ok(series(&prepared(asked)?, told))
 }

@@ -7,7 +7,7 @@ use super::{
 use crate::app::answer::{Figure, Limited, Verdict};
 use crate::app::outcome::{Raised, alarms};
 use crate::app::run::{OfCall, RunAnswer, answers};
-use crate::control::Control;
+use crate::control::{Control, Units};
 use crate::entry::{Inputs, names};
 use crate::evaluate::mean;
 use crate::machine::series::Series;
@@ -66,12 +66,12 @@ impl Collected {
     /// Takes a run; false: it was given up.
     pub(super) fn add(&mut self, setup: &Setup, outcome: &Outcome) -> bool {
         for (index, answer) in answers(setup, outcome).into_iter().take(CALLS).enumerate() {
-            let inputs = &outcome.called[index].inputs;
+            let called = &outcome.called[index];
             if index == self.calls.len() {
-                self.calls.push(Call::new(&answer, memories(inputs)));
+                self.calls.push(Call::new(&answer, memories(&called.inputs, called.units)));
             }
             self.calls[index].add(self.runs, answer);
-            self.calls[index].remember(self.runs, &outcome.control);
+            self.calls[index].remember(self.runs, &outcome.control, called.units);
         }
         let mut raised = alarms(outcome);
         raised.dedup();
@@ -109,11 +109,14 @@ fn share(count: usize, runs: usize) -> f64 {
 }
 
 /// The memories of a call, before the first run (B:2303-2342).
-fn memories(inputs: &Inputs) -> Vec<SeriesMemory> {
+fn memories(inputs: &Inputs, units: Units) -> Vec<SeriesMemory> {
     let numbers = mean::memories(inputs.any(names::EVNUM).unwrap_or(0.0) as i64);
     let both = [("_MV", numbers.mean, true), ("_EV", numbers.empirical, false)];
     let used = both.into_iter().filter(|(_, number, _)| *number > 0);
-    let memory = |(stem, number, mean)| SeriesMemory { name: format!("{stem}[{}]", number - 1), mean, course: vec![] };
+    let memory = |(stem, number, mean)| {
+        let name = format!("{stem}[{}]", number - 1);
+        SeriesMemory { name, mean, unit: units.name(), course: vec![] }
+    };
     used.map(memory).collect()
 }
 
@@ -124,9 +127,9 @@ impl Call {
     }
 
     /// What the memories hold after this run.
-    fn remember(&mut self, run: usize, control: &Control) {
+    fn remember(&mut self, run: usize, control: &Control, units: Units) {
         for memory in self.memories.iter_mut().filter(|_| run < COURSE) {
-            let value = control.basic_length(&memory.name);
+            let value = control.basic_length(&memory.name) / units.factor();
             memory.course.resize(run, value);
             memory.course.push(value);
         }

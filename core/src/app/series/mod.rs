@@ -10,18 +10,16 @@ use super::answer::Verdict;
 use super::outcome::Raised;
 use super::run::OfCall;
 use crate::control::Control;
-use crate::machine::Setup;
 use crate::machine::series::Mode;
 use crate::message::Message;
-use crate::run::{Limits, Outcome, Session};
+use crate::run::Outcome;
 use crate::series::capability::Capability;
 use crate::series::draw;
 use crate::series::spread::Spread;
-use crate::syntax::Program;
-pub use asked::{SeriesExample, SeriesRequest, SeriesStart, series_of, series_start};
+pub(in crate::app) use asked::prepared;
+pub use asked::{Prepared, SeriesExample, SeriesName, SeriesRequest, SeriesStart, series_of, series_start};
 use collect::Collected;
 use serde::Serialize;
-use std::rc::Rc;
 
 /// How the results of a program spread over many runs.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -74,7 +72,9 @@ pub struct SeriesMemory {
     pub name: String,
     /// Whether it is a mean value, else an empirical value.
     pub mean: bool,
-    /// Its value after each of the first 1000 runs, mm, as stored.
+    /// Unit of the call.
+    pub unit: &'static str,
+    /// Its value after each of the first 1000 runs, in that unit.
     pub course: Vec<f64>,
 }
 
@@ -208,15 +208,11 @@ const WORK: u64 = 100_000;
 /// First runs whose values are told one by one.
 const COURSE: usize = 1000;
 
-/// Runs a program as often as the setup says. `prepare`: what each run is to have; `told`: hears which share is done.
+/// Runs a program as often as its machine says. `told`: hears which share is done.
 ///
 /// A run that is given up ends the series: the others would take as long, and tell nothing.
-pub fn series(
-    program: &Rc<Program>,
-    setup: &Setup,
-    prepare: &dyn Fn(Session) -> Session,
-    told: &mut dyn FnMut(f64),
-) -> SeriesView {
+pub fn series(prepared: &Prepared, told: &mut dyn FnMut(f64)) -> SeriesView {
+    let setup = &prepared.setup;
     let mut collected = Collected::default();
     let mut done = 0.0;
     let passes = if setup.series.mode == Mode::Production { 2.0 } else { 1.0 };
@@ -225,14 +221,14 @@ pub fn series(
         done += 1.0;
         told(done / all);
     };
-    each(program, setup, setup.series.mode, prepare, &mut |outcome| {
+    each(prepared, setup.series.mode, &mut |outcome| {
         further();
         collected.add(setup, outcome)
     });
     let mut view = collected.view(&setup.series);
     if setup.series.mode == Mode::Production {
         let mut without = Collected::default();
-        each(program, setup, Mode::Independent, prepare, &mut |outcome| {
+        each(prepared, Mode::Independent, &mut |outcome| {
             further();
             without.add(setup, outcome)
         });
@@ -244,18 +240,11 @@ pub fn series(
 }
 
 /// Carries out all runs in order until one is not to be followed by another.
-fn each(
-    program: &Rc<Program>,
-    setup: &Setup,
-    mode: Mode,
-    prepare: &dyn Fn(Session) -> Session,
-    take: &mut dyn FnMut(&Outcome) -> bool,
-) {
+fn each(prepared: &Prepared, mode: Mode, take: &mut dyn FnMut(&Outcome) -> bool) {
+    let setup = &prepared.setup;
     let mut left: Option<Control> = None;
     for run in 0..setup.series.runs {
-        let machine = draw::machine(setup, &setup.series, run, left.as_ref());
-        let limits = Limits { steps: Some(WORK), ..Limits::default() }.unrecorded();
-        let outcome = prepare(Session::new(Rc::clone(program), &machine, limits)).complete();
+        let outcome = prepared.run(&draw::machine(setup, &setup.series, run, left.as_ref()));
         if !take(&outcome) {
             return;
         }

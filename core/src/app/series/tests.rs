@@ -5,10 +5,12 @@ use super::*;
 use crate::control::Plane;
 use crate::dialect::Dialect;
 use crate::geometry::Mcs;
+use crate::machine::Setup;
 use crate::machine::series::{Per, Series, Vary};
-use crate::syntax::read;
+use crate::syntax::{Program, read};
 use crate::workpiece::{Shape, Solid};
 use std::collections::BTreeMap;
+use std::rc::Rc;
 
 /// A hole of 50 mm at the zero point, measured with these tolerances; T20 D1 has cut it.
 fn hole(tolerances: &str, vary: Vec<Vary>, runs: u32, mode: Mode) -> (Rc<Program>, Setup) {
@@ -38,7 +40,7 @@ fn size(sigma: f64, mean: f64) -> Vary {
 }
 
 fn ran((program, setup): &(Rc<Program>, Setup)) -> SeriesView {
-    series(program, setup, &|session| session, &mut |_| {})
+    series(&Prepared { setup: setup.clone(), program: Rc::clone(program), main: None }, &mut |_| {})
 }
 
 fn figures(group: &str, part: &str) -> serde_json::Value {
@@ -137,7 +139,7 @@ fn wear_is_held_by_the_correction() {
 fn a_program_without_end_is_run_once() {
     let (_, setup) = hole(WIDE, Vec::new(), 1000, Mode::Independent);
     let program = Rc::new(read(Dialect::Sinumerik, b"N1 R1=R1+1\nGOTOB N1\nM30\n"));
-    let view = series(&program, &setup, &|session| session, &mut |_| {});
+    let view = ran(&(program, setup));
     assert!(view.runs <= 2 && view.finished == 0 && view.alarms.len() == 1, "{view:?}");
 }
 
@@ -176,6 +178,26 @@ fn the_example_is_the_table_of_the_manual() {
     };
     assert_eq!((parts(0), parts(1)), (vec![7, 10], vec![2, 3, 6, 7, 9, 10]));
     assert!((view.calls[0].measured[0].course[2].unwrap() - 50.06).abs() < 1e-6);
+}
+
+// oracle: self: the same parts in inch, on a control of millimetres: its memory in the unit of the call
+#[test]
+fn a_memory_is_told_in_the_unit_of_the_call() {
+    let [metric, inch] = [("G71", 1.0), ("G70", 25.4)].map(|(units, factor)| {
+        let lengths = [("_TUL", 0.03), ("_TLL", -0.03), ("_SETVAL", 50.0)];
+        let given: String = lengths.map(|(name, length)| format!("{name}={} ", length / factor)).concat();
+        let text = format!(
+            "G17 G54 G90 T9 D1 M6\nG0 X0 Y0\nZ-10\n_CHBIT[4]=1 _EVNUM=1 _PRNUM=1 _KNUM=2001 _TNUM=20 _TDIF=0.06 _TSA=1 \
+             _FA=2 _TMV=0.02 _TZL=0.01 _K=3\n{units} {given}_MVAR=1\nCYCLE977\nM30\n"
+        );
+        let (_, setup) = hole(WIDE, vec![size(0.0, 0.006)], 3, Mode::Production);
+        ran(&(Rc::new(read(Dialect::Sinumerik, text.as_bytes())), setup)).calls[0].memories[0].clone()
+    });
+    assert_eq!((metric.unit, inch.unit), ("mm", "inch"));
+    assert!(metric.course[0] > 1e-4, "{metric:?}");
+    for (metric, inch) in metric.course.iter().zip(&inch.course) {
+        assert!((metric - 25.4 * inch).abs() < 1e-9, "{metric} {inch}");
+    }
 }
 
 fn example_asked() -> SeriesRequest {

@@ -2,7 +2,7 @@
 
 use crate::file::{Problem, print_json, wrong};
 use probewright_core::message::Message;
-use probewright_core::report::alarms::{Told, all, named};
+use probewright_core::report::alarms::{Told, all, named, of_newer};
 use probewright_core::words::Words;
 use probewright_core::{app, json};
 use std::io::Write;
@@ -21,7 +21,11 @@ pub fn alarms(number: Option<&str>, as_json: bool, words: &Words, out: &mut dyn 
         (Some(text), true) => {
             print_json(json::document(&app::alarm(text).ok_or_else(|| unknown(text))?), words, out)?;
         }
-        (Some(text), false) => explain(&named(text, words).ok_or_else(|| unknown(text))?, words, out)?,
+        (Some(text), false) => match (named(text, words), of_newer(text, words)) {
+            (Some(told), _) => explain(&told, words, out)?,
+            (None, Some(told)) => writeln!(out, "{text}: {told}\n  {}", words.key("newer-alarm"))?,
+            (None, None) => return Err(unknown(text)),
+        },
     }
     Ok(ExitCode::SUCCESS)
 }
@@ -36,6 +40,7 @@ pub fn explained(told: &Told, words: &Words) -> String {
     for (key, said) in [
         ("terminal-told-cause", told.cause.as_deref().unwrap_or_default()),
         ("terminal-told-cure", &told.cure),
+        ("terminal-told-newer", told.newer.as_deref().unwrap_or_default()),
         ("terminal-told-effect", &told.effect),
         ("terminal-told-sources", &told.sources),
         ("terminal-told-found", &told.found),

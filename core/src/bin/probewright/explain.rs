@@ -6,7 +6,7 @@ use probewright_core::catalogue::CYCLES;
 use probewright_core::entry::Cycle;
 use probewright_core::jog::masks;
 use probewright_core::message::Message;
-use probewright_core::report::explain::{cycle, datum, variant};
+use probewright_core::report::explain::{arguments, cycle, datum, list, setting_datum, variant};
 use probewright_core::report::findings::finding;
 use probewright_core::report::jog::explained;
 use probewright_core::words::Words;
@@ -20,7 +20,10 @@ pub fn explain(name: &str, number: Option<i64>, words: &Words, out: &mut dyn Wri
     let text = match (found, masks::find(name)) {
         (Some(found), _) => page(found, number, words)?,
         (None, Some(mask)) => explained(mask, words),
-        (None, None) => datum(name, words) + &finding(name, words),
+        (None, None) => {
+            let newer = arguments(name, words) + &list(name, words) + &setting_datum(name, words);
+            datum(name, words) + &finding(name, words) + &newer
+        }
     };
     if text.is_empty() {
         return alarms::alarms(Some(name), false, words, out)
@@ -31,7 +34,10 @@ pub fn explain(name: &str, number: Option<i64>, words: &Words, out: &mut dyn Wri
 }
 
 fn page(found: &'static Cycle, number: Option<i64>, words: &Words) -> Result<String, Problem> {
-    let Some(number) = number else { return Ok(cycle(found, words)) };
+    let Some(number) = number else {
+        let list = list(found.name, words);
+        return Ok(if list.is_empty() { cycle(found, words) } else { cycle(found, words) + "\n" + &list });
+    };
     let chosen = found.variants.iter().find(|one| one.number == number);
     let none = Message::new("terminal-variant").text("cycle", found.name).number("number", number as f64);
     let chosen = chosen.ok_or_else(|| wrong(none))?;

@@ -3,10 +3,11 @@
 use crate::file;
 use crate::file::Problem;
 use crate::joined::Joined;
-use probewright_core::app::{self, SeriesCall, SeriesFigure, SeriesShare, SeriesSpread, SeriesView};
+use probewright_core::app::{
+    self, Certain, OfCall, SeriesCall, SeriesFigure, SeriesShare, SeriesSpread, SeriesView, WholeCertainty,
+};
 use probewright_core::json;
 use probewright_core::message::Message;
-use probewright_core::run::Session;
 use probewright_core::series::spread::unseen;
 use probewright_core::syntax;
 use probewright_core::words::Words;
@@ -30,6 +31,8 @@ pub struct Arguments {
     with: Vec<PathBuf>,
     #[arg(long, value_name = "NAME")]
     program: Option<String>,
+    #[arg(long, conflicts_with = "csv")]
+    certainty: bool,
     #[arg(long)]
     json: bool,
     #[arg(long, value_name = "FILE")]
@@ -45,11 +48,13 @@ pub fn series(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Resu
     let joined = Joined::read(&arguments.file, &arguments.with, None)?.of(setup.control.dialect);
     let macros = Arc::clone(&setup.control.definitions.macros);
     let program = Rc::new(syntax::read_held(joined.dialect, &joined.text, &macros, &mut |_| {}));
-    let main = |session: Session| match &arguments.program {
-        Some(name) => session.of_program(name),
-        None => session,
-    };
-    let view = app::series(&program, &setup, &main, &mut |_| {});
+    let main = arguments.program.clone();
+    let prepared = app::Prepared { setup, program, main };
+    if arguments.certainty {
+        let view = app::whole_certainty(&prepared, arguments.runs, arguments.seed, &mut |_| {});
+        return certain(&joined, &view, arguments.json, words, out);
+    }
+    let view = app::series(&prepared, &mut |_| {});
     if let Some(path) = &arguments.csv {
         file::write(path, std::iter::once(app::series_csv(&view)))?;
     }
@@ -61,15 +66,67 @@ pub fn series(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Resu
     Ok(if view.finished > 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
 
+/// How certain each measurement is; 1 where none is known.
+fn certain(
+    joined: &Joined,
+    view: &WholeCertainty,
+    json: bool,
+    words: &Words,
+    out: &mut dyn Write,
+) -> Result<ExitCode, Problem> {
+    if json {
+        file::print_json(json::document(view), words, out)?;
+    } else {
+        for call in &view.calls {
+            writeln!(out, "{}{}", place(joined, call.call), call.call.cycle.unwrap_or_default())?;
+            for figure in &call.figures {
+                writeln!(out, "  {} = {}", figure.name, told(figure, words))?;
+            }
+        }
+        let key = if view.runs > 0 { "certainty-runs" } else { "certainty-nothing" };
+        writeln!(out, "{}", words.text(&Message::new(key).number("runs", f64::from(view.runs))))?;
+    }
+    Ok(if view.calls.iter().any(|call| !call.figures.is_empty()) { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
+
+/// A value with its expanded uncertainty, what it proves, and what makes most of it.
+fn told(figure: &Certain, words: &Words) -> String {
+    let rounded = |value: f64| format!("{value:.*}", figure.decimals as usize);
+    let value = Message::new("certainty-value")
+        .text("value", rounded(figure.value))
+        .text("expanded", rounded(figure.expanded))
+        .text("unit", figure.unit)
+        .number("coverage", figure.coverage)
+        .text("label", words.text(&figure.label));
+    let proof = figure.proof.map(|proof| Message::new(proof.key()));
+    let chances = figure.chances.map(|chances| {
+        let message = Message::new("certainty-chances");
+        let shares =
+            [("good", chances.good), ("rework", chances.rework), ("scrap", chances.scrap), ("beyond", chances.beyond)];
+        shares.into_iter().fold(message, |message, (name, share)| message.number(name, percent(share)))
+    });
+    let largest = figure.budget.first().map(|part| {
+        let source = words.text(&part.source);
+        Message::new("certainty-largest").text("source", source).number("share", percent(part.share))
+    });
+    let parts = [Some(value), proof, chances, largest];
+    parts.iter().flatten().map(|message| words.text(message)).collect::<Vec<_>>().join("  ")
+}
+
+/// File and line of a call.
+fn place(joined: &Joined, call: OfCall) -> String {
+    call.line.map_or(String::new(), |line| {
+        let (path, line) = joined.line(line - 1);
+        format!("{}:{}: ", path.display(), line + 1)
+    })
+}
+
 fn print(joined: &Joined, view: &SeriesView, words: &Words, out: &mut dyn Write) -> std::io::Result<()> {
     let count = |key: &'static str| Message::new(key).number("runs", f64::from(view.runs));
     let seed = count("series-runs").text("seed", view.seed.to_string()).number("finished", view.finished as f64);
     writeln!(out, "{}", words.text(&seed))?;
     for call in &view.calls {
-        let place = call.call.line.map_or(String::new(), |line| {
-            let (path, line) = joined.line(line - 1);
-            format!("{}:{}: ", path.display(), line + 1)
-        });
+        let place = place(joined, call.call);
         let cycle = call.call.cycle.unwrap_or_default();
         writeln!(out, "{place}{cycle}: {}", words.text(&call.feature))?;
         for line in lines(call, words) {

@@ -4,6 +4,7 @@ use super::slot::{Held, Slot};
 use crate::control::machine_data::TOOL_LENGTH_TYPE;
 use crate::control::{AS_TURNING_TOOL, Control, Plane, Transverse};
 use crate::machine::Setup;
+use crate::machine::temperature::Temperature;
 use crate::range::Range;
 use crate::workpiece::Probe;
 
@@ -22,6 +23,7 @@ pub(super) struct Machine {
     deflection: Option<f64>,
     turret: [f64; 2],
     position: [f64; 3],
+    temperature: Temperature,
 }
 
 const TRANSVERSE: [Transverse; 3] = [Transverse::Radius, Transverse::Diameter, Transverse::AbsoluteDiameter];
@@ -45,6 +47,7 @@ impl Machine {
             deflection: control.deflection,
             turret: [setup.turret.diameter, setup.turret.width],
             position: setup.position.0,
+            temperature: setup.temperature,
         }
     }
 
@@ -70,6 +73,9 @@ impl Machine {
             let turret = ["equip-turret-diameter", "equip-turret-width"].into_iter().zip(&mut self.turret);
             all.extend(turret.map(|(key, size)| Slot::new(key, Held::Length(size)).within(Range::NOT_NEGATIVE)));
         }
+        let Temperature { spread, expansion } = &mut self.temperature;
+        all.push(Slot::new("equip-temperature", Held::Plain(spread)).within(Range::NOT_NEGATIVE));
+        all.push(Slot::new("equip-expansion", Held::Plain(expansion)));
         all
     }
 
@@ -85,6 +91,7 @@ impl Machine {
         control.deflection = self.deflection;
         [setup.turret.diameter, setup.turret.width] = self.turret;
         setup.position.0 = self.position;
+        setup.temperature = self.temperature;
         if self.sort != turned {
             become_of_sort(control, self.sort == 1);
         }

@@ -107,6 +107,8 @@ fn the_types_of_the_page_are_those_of_the_core() {
     types.visit::<FormRequest>();
     types.visit::<CertaintyRequest>();
     types.visit::<CertaintyView>();
+    types.visit::<WholeCertaintyRequest>();
+    types.visit::<WholeCertainty>();
     types.visit::<SeriesRequest>();
     types.visit::<SeriesStart>();
     types.visit::<SeriesView>();

@@ -2,6 +2,7 @@
 
 mod at_call;
 mod behind;
+mod generation;
 mod inherited;
 mod nct;
 mod read_back;
@@ -60,7 +61,9 @@ pub fn advice(program: &Program, sites: &[CallSite], control: &Control) -> Vec<D
         nct::look(program, &programs, sites, &mut found);
         return found;
     }
+    let generation = generation::look(program, sites, control);
     if sites.is_empty() {
+        found.extend(generation);
         return found;
     }
     let mut asked = at_call::Asked::of(program);
@@ -73,7 +76,8 @@ pub fn advice(program: &Program, sites: &[CallSite], control: &Control) -> Vec<D
         at_call.transverse = way.state.transverse.is().copied().unwrap_or(site.transverse);
         at_call.choose_units(site.unit_function as u16);
         let values = site.values_on(way);
-        if site.newer_list().is_some_and(|list| newer::is_open(site.cycle, list, values, &at_call)) {
+        let shifted = site.diagnostics.iter().any(|one| one.code == own::NEWER_LOST.code());
+        if shifted || site.newer_list().is_some_and(|list| newer::is_open(site.cycle, list, values, &at_call)) {
             continue;
         }
         let seen = Seen {
@@ -107,6 +111,7 @@ pub fn advice(program: &Program, sites: &[CallSite], control: &Control) -> Vec<D
             one.severity = Severity::Note;
         }
     }
+    found.extend(generation);
     found
 }
 

@@ -51,7 +51,13 @@ impl Walk<'_> {
     }
 
     /// The values of a call with arguments.
-    fn listed(&mut self, place: &mut Place, call: &Called, list: &ArgumentList, arguments: &[Option<Value>]) -> Given {
+    fn listed(
+        &mut self,
+        place: &mut Place,
+        call: &Called,
+        list: &'static ArgumentList,
+        arguments: &[Option<Value>],
+    ) -> Given {
         let cycle = call.cycle;
         let values = arguments::given(cycle, list, call.span, arguments);
         if list.style == Style::Indirect {

@@ -1,7 +1,8 @@
 //! SINUMERIK: assignments and the call, with the arguments that its call style takes.
 
 use super::{Lines, Source, Written, is_expression, word};
-use crate::check::{Parsed, Target, newer, parse, target};
+use crate::catalogue::newer::arguments::Argument;
+use crate::check::{Parsed, Target, expression, newer, parse, target};
 use crate::diagnostic::Diagnostic;
 use crate::entry::{AUXILIARY, AUXILIARY_ARGS, Arg, ArgumentList, Param, Style, Typed, names};
 use crate::name::Name;
@@ -63,7 +64,9 @@ fn open_variant<'a>(source: &'a Source) -> Option<&'a str> {
 fn foreign(source: &Source, list: &ArgumentList) -> Option<Diagnostic> {
     let values: Typed = source.values.iter().map(|(param, text)| (param.name.to_string(), text.clone())).collect();
     let foreign = newer::foreign(source.cycle, list, &values, source.control);
-    let name = foreign.into_iter().find(|name| values.contains_key(name.as_str()))?;
+    // a zero offset of newer controls goes there as it is
+    let known = |name: &Name| *name == names::KNUM && source.inputs.given(*name).is_some_and(newer::is_newer_zero);
+    let name = foreign.into_iter().find(|name| values.contains_key(name.as_str()) && !known(name))?;
     Some(own::WRITE_NEWER.finding().text("param", name).text("value", values.get(name.as_str())?.as_str()).at(name))
 }
 
@@ -75,13 +78,13 @@ fn target_elsewhere(source: &Source) -> Option<Diagnostic> {
         Target::Tool => Some(own::WRITE_NEWER_TOOL.finding()),
         Target::Zero => {
             let code = source.inputs.given(names::KNUM);
-            code.filter(|code| !newer::is_same_zero(*code))?;
+            code.filter(|code| !newer::is_newer_zero(*code))?;
             Some(own::WRITE_NEWER_ZERO.finding().text("value", text))
         }
     }
 }
 
-fn listed(source: &Source, list: &ArgumentList) -> Written {
+fn listed(source: &Source, list: &'static ArgumentList) -> Written {
     let (mut before, mut auxiliary, mut findings) = (Vec::new(), Vec::new(), Vec::new());
     let mut said = source.names();
     for value in source.values.iter().filter(|(param, _)| !takes(source, list, param)) {
@@ -106,6 +109,9 @@ fn listed(source: &Source, list: &ArgumentList) -> Written {
                 findings.extend((parse(text) != default).then(lost));
             }
         }
+    }
+    if list.style == Style::Operate {
+        findings.extend(to_look_at(source, list));
     }
     let mut text = Lines::default();
     text.assignments(&before);
@@ -143,19 +149,60 @@ fn beside(param: &Param, text: &str) -> Diagnostic {
 
 /// The arguments in order, each with its parameter. An omitted one is 0: what is used and was not typed is as delivered
 /// or as on the machine.
-fn arguments(source: &Source, list: &ArgumentList) -> Vec<(Option<Name>, String)> {
+fn arguments(source: &Source, list: &'static ArgumentList) -> Vec<(Option<Name>, String)> {
     let mut selections = list.selections(source.inputs.variant).unwrap_or_default().into_iter();
     let variant = source.cycle.variant_param();
-    let written = |arg: &Arg| match arg {
+    let written = |(index, arg): (usize, &Arg)| match arg {
         Arg::Param(name) => (Some(*name), parameter(source, name)),
+        Arg::Newer(..) => newer_argument(source, &Argument::at(list, index)),
         Arg::Down(name) => (Some(*name), opposite(&parameter(source, name))),
         Arg::Select(_) => (variant, selections.next().map_or(String::new(), |number| number.to_string())),
         Arg::Is(number) => (None, number.to_string()),
         Arg::Variable(name) | Arg::Output(name) => (None, (*name).to_owned()),
-        Arg::Open | Arg::Newer(_) => (None, String::new()),
+        Arg::Open => (None, String::new()),
     };
-    list.args.iter().map(written).collect()
+    list.args.iter().enumerate().map(written).collect()
 }
+
+/// An argument of the list of a newer control: the value, else what programs write there.
+fn newer_argument(source: &Source, argument: &Argument) -> (Option<Name>, String) {
+    let own = argument.param.is_none().then(|| own_value(source, argument.name));
+    let text = own.or_else(|| Some(parameter(source, &argument.param?))).unwrap_or_default();
+    let name = argument.param.or_else(|| argument.is_field().then(|| Name::new(argument.name)));
+    if !text.is_empty() {
+        return (name, text);
+    }
+    let beside = argument.name == "_AMODE" && CENTRE.iter().any(|name| !own_value(source, name).is_empty());
+    (name, if beside { BESIDE } else { argument.usual() }.to_owned())
+}
+
+/// The arguments for a centre beside which the probe starts, and what `_AMODE` is with one of them.
+const CENTRE: [&str; 2] = ["S_XM", "S_YM"];
+const BESIDE: &str = "11";
+
+/// What was typed for something that only the lists of newer controls have.
+fn own_value(source: &Source, name: &str) -> String {
+    let text = source.typed.get(name).map_or("", |text| text.trim());
+    match parse(text) {
+        Parsed::Number(number) => number.to_string(),
+        Parsed::Expression => expression::written(source.cycle.dialect, text).unwrap_or_default(),
+        Parsed::Empty | Parsed::Wrong => String::new(),
+    }
+}
+
+/// What of a call in the list of a newer control has to be looked at before the first run: the measuring direction,
+/// which the older call does not say, and the infeed, whose sign differs between programs.
+fn to_look_at(source: &Source, list: &'static ArgumentList) -> Vec<Diagnostic> {
+    let has = |name: &str| Argument::all(list).any(|one| one.name == name);
+    let direction = has(DIRECTION) && own_value(source, DIRECTION).is_empty();
+    let direction = direction.then(|| own::WRITE_DIRECTION.finding().at(Name::new(DIRECTION)));
+    let infeed = source.value(&names::ID).filter(|text| parse(text) != Parsed::Number(0.0));
+    let infeed = infeed.filter(|_| list.position(names::ID).is_some());
+    let infeed = infeed.map(|text| own::WRITE_INFEED.finding().text("value", text).at(names::ID));
+    direction.into_iter().chain(infeed).collect()
+}
+
+const DIRECTION: &str = "S_MD";
 
 fn parameter(source: &Source, name: &str) -> String {
     if let Some(text) = source.value(name) {

@@ -39,6 +39,8 @@ pub struct Written {
 struct Source<'a> {
     cycle: &'static Cycle,
     inputs: Inputs,
+    /// What was typed, also what only the lists of newer controls have.
+    typed: Typed,
     control: &'a Control,
     values: Vec<(&'static Param, String)>,
     /// Whether the control's own support writes it.
@@ -190,7 +192,7 @@ fn source<'a>(cycle: &'static Cycle, typed: &Typed, control: &'a Control) -> Sou
         (param.need(&inputs).is_some() || set()).then_some((param, text))
     });
     let values = written.collect();
-    Source { cycle, inputs, control, values, form: false, bits: Vec::new() }
+    Source { cycle, inputs, typed: typed.clone(), control, values, form: false, bits: Vec::new() }
 }
 
 fn addresses(source: &Source) -> Lines {

@@ -186,10 +186,9 @@ fn argument(known: &Known, at: u32, called: &str, place: usize, make: &Make) -> 
         list.name.eq_ignore_ascii_case(called) && site.is_none_or(|site| site.cycle.name == cycle.name)
     });
     match found.and_then(|(_, list)| list.args.get(place)) {
-        Some(Arg::Param(name) | Arg::Down(name)) => values(known, site, name, make),
         Some(Arg::Select(choices)) => choices.iter().map(|(number, _)| make.choice(*number, String::new())).collect(),
         Some(Arg::Is(number)) => vec![make.choice(*number, called.to_owned())],
-        _ => Vec::new(),
+        other => other.and_then(Arg::param).map_or_else(Vec::new, |name| values(known, site, &name, make)),
     }
 }
 

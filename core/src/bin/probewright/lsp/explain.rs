@@ -6,6 +6,7 @@ use probewright_core::app;
 use probewright_core::form::{Choice, Entry, Field, Group};
 use probewright_core::message::Message;
 use probewright_core::program::calls::CallSite;
+use probewright_core::program::lists::list_call;
 use probewright_core::report::alarms::named;
 use probewright_core::report::explain;
 use probewright_core::report::findings::finding;
@@ -13,6 +14,9 @@ use probewright_core::words::Words;
 
 /// What there is to say at a byte, in the layout of `probewright explain`: lines, those of a list two blanks in.
 pub fn at(document: &Document, known: &Known, at: u32, words: &Words) -> Option<String> {
+    if let Some(told) = argument(known, at, words) {
+        return Some(told);
+    }
     if let Some(one) = known.valued(at).first() {
         return Some(value(known, one, at, words));
     }
@@ -36,6 +40,15 @@ fn message_around(document: &Document, at: usize) -> Option<String> {
         line.match_indices(code.as_str()).any(|(from, _)| (from..=from + code.len()).contains(&before.len()))
     };
     app::alarms().into_iter().map(|alarm| alarm.code).find(|code| code.contains(' ') && around(code))
+}
+
+/// An argument of a list of newer controls, and what its value says by the form of the call that it reaches.
+fn argument(known: &Known, at: u32, words: &Words) -> Option<String> {
+    let calls = list_call(&known.program, known.word(at)?)?;
+    let one = calls.at(at)?;
+    let told = explain::argument(&one.argument, words);
+    let valued = known.valued(at).into_iter().find(|valued| one.argument.param == Some(valued.name));
+    Some(valued.map_or_else(|| told.clone(), |valued| format!("{told}\n{}", value(known, &valued, at, words))))
 }
 
 /// A call: the help page of its variant, where that is known.

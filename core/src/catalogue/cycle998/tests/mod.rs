@@ -207,6 +207,6 @@ fn lists_are_written() {
     };
     let indirect = written(&[], Style::Indirect);
     assert!(indirect.ends_with("\nCYCLE_998(105,-18,40,4,102,1,0,1)\n"), "{indirect}");
-    assert_eq!(written(&[], Style::Operate), "CYCLE998(105,1,4,1,-18,0,,8,5,102,,40,,,,,1,0)\n");
+    assert_eq!(written(&[], Style::Operate), "CYCLE998(105,1,4,1,-18,0,,8,5,102,,40,,,,,1,0,1)\n");
     assert_eq!(written(PLANE, Style::Operate), "");
 }

@@ -1,20 +1,21 @@
-//! How certain the measurement of a form is: the same call many times on a part and with a probe that spread, and what
-//! a measured value proves then.
+//! How certain a measurement is: the same call, or the same program, many times on a part and with a probe that spread,
+//! and what a measured value proves then.
+
+mod causes;
+mod whole;
 
 use super::Error;
 use super::answer::{Answer, Figure, inside};
 use super::form::{FormRequest, form};
-use crate::entry::{Inputs, ProbeUse};
-use crate::geometry::{Degrees, Rpy};
-use crate::machine::Setup;
+use crate::entry::Inputs;
 use crate::message::Message;
 use crate::run;
 use crate::scene::Source;
 use crate::series::decide::{COVERAGE, Limits, Proof, guard};
-use crate::series::draw::scatter;
-use crate::series::random;
 use crate::series::spread::Spread;
+use causes::{Cause, Draws};
 use serde::{Deserialize, Serialize};
+pub use whole::{CallCertainty, WholeCertainty, WholeCertaintyRequest, certainty_of, whole_certainty};
 
 /// What is asked.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
@@ -103,32 +104,9 @@ const FEWEST: u32 = 200;
 /// Part of the measurements that each source alone gets.
 const ALONE: u32 = 4;
 
-/// What spreads.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Cause {
-    /// The switching point of each touch.
-    Touch,
-    /// The same while the probe was calibrated, one touch a direction.
-    Calibration,
-    /// The form of the part, of which nobody knows how it lies.
-    Form,
-}
-
-impl Cause {
-    fn key(self) -> &'static str {
-        match self {
-            Cause::Touch => "certainty-touch",
-            Cause::Calibration => "certainty-calibration",
-            Cause::Form => "certainty-form",
-        }
-    }
-}
-
-/// A call and what it measures on, with the state of the control and the part before it.
-struct Call<'a> {
-    inputs: &'a Inputs,
-    setup: &'a Setup,
-    seed: u64,
+/// How many measurements each source alone gets, of this many.
+fn alone(runs: u32) -> u32 {
+    (runs / ALONE).max(FEWEST).min(runs)
 }
 
 /// Measures what a form measures many times.
@@ -141,95 +119,45 @@ pub fn certainty(asked: CertaintyRequest) -> Result<CertaintyView, Error> {
     let (Some(answer), Source { setup, call: Some(inputs), outcome, .. }) = (outcome.answer, outcome.trace) else {
         return Ok(CertaintyView::default());
     };
-    let call = Call { inputs: &inputs, setup: &setup, seed: asked.seed.unwrap_or(1) };
-    let causes = call.causes();
+    let draws = Draws { setup: &setup, seed: asked.seed.unwrap_or(1) };
+    let causes: Vec<Cause> = draws.causes().into_iter().filter(|cause| cause.concerns(&inputs, &setup)).collect();
     if causes.is_empty() || !outcome.finished() {
         return Ok(CertaintyView::default());
     }
     let runs = asked.runs.unwrap_or(1000).clamp(1, MOST);
-    let all = call.spreads(&answer.figures, &causes, runs);
-    let alone = |cause: &Cause| call.spreads(&answer.figures, &[*cause], (runs / ALONE).max(FEWEST));
-    let alone: Vec<Vec<Spread>> = if causes.len() > 1 { causes.iter().map(alone).collect() } else { vec![all.clone()] };
+    let spread = |causes: &[Cause], runs| spreads(&draws, &inputs, &answer.figures, causes, runs);
+    let all = spread(&causes, runs);
+    let each: Vec<Vec<Spread>> = match causes.len() {
+        1 => vec![all.clone()],
+        _ => causes.iter().map(|cause| spread(&[*cause], alone(runs))).collect(),
+    };
     let figures = answer.figures.iter().enumerate().filter_map(|(at, figure)| {
-        let parts: Vec<f64> = alone.iter().map(|spreads| spreads[at].deviation.powi(2)).collect();
+        let parts: Vec<f64> = each.iter().map(|spreads| spreads[at].deviation.powi(2)).collect();
         certain(figure, &answer, &inputs, all[at].deviation, budget(&causes, &parts))
     });
     let ended = all.iter().map(Spread::count).max().unwrap_or(0);
     Ok(CertaintyView { runs, stopped: 1.0 - ended as f64 / f64::from(runs), figures: figures.collect() })
 }
 
-impl Call<'_> {
-    /// What spreads here.
-    fn causes(&self) -> Vec<Cause> {
-        let touches = match self.inputs.cycle.purpose.probe {
-            ProbeUse::Workpiece => self.setup.probe.repeatability.0,
-            _ => self.setup.tool_probes.iter().map(|probe| probe.repeatability.0).fold(0.0, f64::max),
-        };
-        let workpiece = self.inputs.cycle.purpose.probe == ProbeUse::Workpiece;
-        let calibrated = workpiece && !self.inputs.cycle.purpose.calibrates.holds(self.inputs);
-        let form = self.setup.workpiece.solids.iter().any(|solid| solid.errors.out_of_round.0 != 0.0);
-        [(touches > 0.0, Cause::Touch), (touches > 0.0 && calibrated, Cause::Calibration), (form, Cause::Form)]
-            .into_iter()
-            .filter_map(|(there, cause)| there.then_some(cause))
-            .collect()
-    }
-
-    /// How each quantity spreads by these causes.
-    fn spreads(&self, figures: &[Figure], causes: &[Cause], runs: u32) -> Vec<Spread> {
-        let mut values = vec![Vec::with_capacity(runs as usize); figures.len()];
-        for run in 0..runs {
-            let outcome = run::predict(self.inputs.cycle, self.inputs, &self.drawn(causes, run));
-            if !outcome.finished() {
-                continue;
-            }
-            for (figure, values) in figures.iter().zip(&mut values) {
-                values.push(outcome.control.number(figure.name));
-            }
+/// How each quantity of a call spreads by these causes.
+fn spreads(draws: &Draws, inputs: &Inputs, figures: &[Figure], causes: &[Cause], runs: u32) -> Vec<Spread> {
+    let mut values = vec![Vec::with_capacity(runs as usize); figures.len()];
+    for run in 0..runs {
+        let outcome = run::predict(inputs.cycle, inputs, &draws.drawn(causes, run));
+        if !outcome.finished() {
+            continue;
         }
-        values.into_iter().map(Spread::of).collect()
-    }
-
-    /// Machine and part of one run.
-    fn drawn(&self, causes: &[Cause], run: u32) -> Setup {
-        let mut setup = self.setup.clone();
-        let deviation = setup.probe.repeatability.0;
-        scatter(&mut setup, self.seed, run);
-        for cause in [Cause::Touch, Cause::Calibration, Cause::Form] {
-            let drawn = causes.contains(&cause);
-            match cause {
-                Cause::Touch if !drawn => {
-                    setup.probe.repeatability.0 = 0.0;
-                    setup.tool_probes.iter_mut().for_each(|probe| probe.repeatability.0 = 0.0);
-                }
-                Cause::Calibration if drawn => self.calibrated(&mut setup, deviation, run),
-                Cause::Form if drawn => self.turned(&mut setup, run),
-                _ => {}
-            }
-        }
-        setup
-    }
-
-    /// Trigger values of two opposite touches are off by the half of their sum and of their difference: as a ball of
-    /// another radius off the axis is, each with 1/√2 of the deviation. In the tool axis there is one.
-    fn calibrated(&self, setup: &mut Setup, deviation: f64, run: u32) {
-        let number = |name: &str| random::Source::new(self.seed, name).normal(u64::from(run)) * deviation;
-        let half = std::f64::consts::FRAC_1_SQRT_2;
-        setup.probe.radius += half * number("ball");
-        setup.probe.skew[0] += half * number("skew abscissa");
-        setup.probe.skew[1] += half * number("skew ordinate");
-        setup.probe.length += number("length");
-    }
-
-    /// Lobes of which nobody knows where they are: the part is turned about its axis.
-    fn turned(&self, setup: &mut Setup, run: u32) {
-        let angle = 360.0 * random::Source::new(self.seed, "form").uniform(u64::from(run));
-        let [_, _, axis] = setup.control.plane.axes();
-        for solid in setup.workpiece.solids.iter_mut().filter(|solid| solid.errors.out_of_round.0 != 0.0) {
-            if solid.errors.tilt == Rpy::default() {
-                solid.errors.tilt = Rpy::about(axis, Degrees(angle));
-            }
+        let growth = draws.growth(causes, run);
+        for (figure, values) in figures.iter().zip(&mut values) {
+            values.push(grown(figure, outcome.control.number(figure.name), growth));
         }
     }
+    values.into_iter().map(Spread::of).collect()
+}
+
+/// A value of a part that is so much larger than at the reference temperature.
+fn grown(figure: &Figure, value: f64, growth: f64) -> f64 {
+    if figure.unit == "deg" { value } else { value * growth }
 }
 
 /// The quantity with its uncertainty; none where it does not spread.

@@ -1,0 +1,64 @@
+# Generationen der Steuerung, Alarme der neueren.
+
+newer-alarm = Diesen Alarm gibt es an neueren Steuerungen.
+generation-1-parameters = 1: bis 840D sl 1.x. Zuweisungen _MVAR=…, dann der Aufruf
+generation-1-data = Anwenderdaten: _WP[], _TP[], _TPW[], _SPEED[], _CM[]
+generation-2-parameters = 2: 840D sl 2.5 und 2.6, 828D bis 4.3. Zuweisungen _MVAR=…, dann der Aufruf
+generation-2-data = Settingdaten: ab SD 54600 (Werkstückmesstaster), ab SD 54625 (Werkzeugmesstaster), SD 55630 bis SD 55632 (Geschwindigkeiten)
+generation-3-parameters = 3: 840D sl ab 2.7, 828D ab 4.4, ONE. Argumentliste CYCLE977(…)
+generation-3-data = Settingdaten: ab SD 54600, ab SD 54625 mit MD 51780, SD 55632, SD 55634, SD 55636 (Geschwindigkeiten)
+generations-read = jedes Argument mit seinem Namen, in beliebiger Anzahl; eine Änderung betrifft nur ihre Stelle
+generations-written = { $variants }
+generations-simulated = { $variants }, mit NV 1 bis 99 (fein) und 10001 bis 10099 (grob)
+generations-digits = nein: Die Ziffern von Argument 1 sind nicht veröffentlicht
+generations-no-counterpart = nein: Ältere Steuerungen haben keinen solchen Zyklus, und die Ziffern sind nicht veröffentlicht
+
+newer-alarm-61309 = Werkzeugtyp eines Messtasters verwenden: 710 beim Fräsen, 712 bis 714 für Sonderaufgaben, 580 beim Drehen. SD 54633 enthält den Typ des Werkzeugmesstasters.
+newer-alarm-61313 = S_PRNUM auf einen Messtaster von 1 bis 12 setzen.
+newer-alarm-61320 = Werkzeugnamen in S_TNAME prüfen.
+newer-alarm-61328 = Werkzeug, das korrigiert wird, in S_KNUM1 prüfen.
+newer-alarm-61333 = MD 51601 und die Messtasternummer prüfen.
+newer-alarm-61338 = Positioniergeschwindigkeiten in SD 55634 (Ebene) und SD 55636 (Zustellung) eingeben, den Eilgangoverride in SD 55632. Generation 2: SD 55631 und SD 55632.
+newer-alarm-61339 = Eilgangoverride in SD 55632 eingeben. Generation 2: SD 55630.
+newer-alarm-61341 = Messtaster kalibrieren oder den richtigen Datensatz wählen: SD 54611 muss über 0 sein. Drehen: nur in G18.
+newer-alarm-61344 = Mehrere Werkzeuge sind aktiv: nur eines lassen.
+newer-alarm-61345 = Die D-Nummer hat mehr Stellen, als die Maschine zulässt.
+newer-alarm-61349 = SD 54634 prüfen.
+newer-alarm-61350 = Vorschub und Drehzahl in F1 und S1 eingeben.
+newer-alarm-61351 = Länge oder Radius des Werkzeugs ist 0: eingeben.
+newer-alarm-61357 = Speicher oder Anzahl der Dateien ist erschöpft: alte temporäre Dateien löschen, MD 18320 prüfen.
+newer-alarm-61364 = Abstände der Messpunkte prüfen.
+newer-alarm-61365 = Vorschub für Kreise in SD 55640 eingeben.
+newer-alarm-61366 = SD 54674 auf 3 oder 4 setzen.
+newer-alarm-61367 = Punkte P1 und P2 prüfen.
+newer-alarm-61368 = Punkte P2 und P3 prüfen.
+newer-alarm-61369 = Punkte P3 und P4 prüfen.
+newer-alarm-61372 = Diese Variante braucht eine positionierbare Spindel.
+newer-alarm-61373 = Diese Variante braucht eine positionierbare Spindel; MD 52207 Bit 9 und MD 51740 Bit 4 prüfen.
+newer-alarm-61374 = Messtaster in dieser Achse und Richtung kalibrieren.
+newer-alarm-61375 = Entweder _TP[] oder die Settingdaten des Werkzeugmesstasters verwenden, nicht beides.
+newer-alarm-61376 = Zähnezahl eingeben.
+newer-alarm-61377 = Ein Maß ist außer Toleranz.
+newer-alarm-61378 = Die Werkzeugachse ist nicht die der Hauptspindel: SETMS verwenden.
+newer-alarm-61379 = Ein Werkzeug mit mehr als 100 Zähnen kann nicht gemessen werden.
+newer-alarm-61380 = Der Werkzeugmesstaster ist zu schmal; MD 51781 prüfen.
+newer-alarm-61401 = Der Weg endet an einem Softwareendschalter, bevor der Messtaster schaltet.
+newer-alarm-61402 = Der Weg würde einen Softwareendschalter überfahren, und der Messtaster kollidiert.
+newer-alarm-61415 = SD 54633 und SD 54648 mit der Arbeitsebene vergleichen.
+newer-alarm-61416 = S_PRNUM auf einen Werkzeugmesstaster von 1 bis 6 setzen.
+newer-alarm-61418 = MD 11420 prüfen.
+newer-alarm-61419 = MD 51740 Bit 1 und der Kalibrierstatus in SD 54610 passen nicht zusammen.
+newer-alarm-61420 = Der Messtaster wurde als Monotaster kalibriert und misst als Multitaster, oder umgekehrt.
+newer-alarm-61421 = _OVR[] braucht mindestens 72 Elemente.
+newer-alarm-61443 = Winkel α1 prüfen: mit 3 Punkten innerhalb ±120 Grad, mit 4 innerhalb ±90.
+newer-alarm-61444 = Der Messvorschub ist nicht der Vorschub der Kalibrierung: damit kalibrieren.
+newer-alarm-62303 = Vertrauensbereich überschritten: Warnung zu Alarm 61303.
+newer-alarm-62304 = Aufmaß überschritten: Warnung zu Alarm 61304.
+newer-alarm-62305 = Maß zu klein: Warnung zu Alarm 61305.
+newer-alarm-62306 = Maßdifferenz überschritten: Warnung zu Alarm 61306.
+newer-alarm-62312 = Der Messtaster steht nicht senkrecht zur Arbeitsebene.
+newer-alarm-62315 = Die Daten des Werkzeugträgers werden überschrieben: bestätigen.
+newer-alarm-62316 = Die Transformation ist aktiv: prüfen.
+newer-alarm-62319 = Während der Kalibrierung wird nichts korrigiert.
+newer-alarm-62320 = Einzelne Schneiden weichen mehr ab als zulässig.
+newer-alarm-62377 = Ein Maß ist außer Toleranz: Warnung zu Alarm 61377.

@@ -1,0 +1,64 @@
+# Generations of the control, and the alarms of newer ones.
+
+newer-alarm = This alarm is one of the newer controls.
+generation-1-parameters = 1: up to 840D sl 1.x. Assignments _MVAR=…, then the call
+generation-1-data = User data: _WP[], _TP[], _TPW[], _SPEED[], _CM[]
+generation-2-parameters = 2: 840D sl 2.5 and 2.6, 828D up to 4.3. Assignments _MVAR=…, then the call
+generation-2-data = Setting data: from SD 54600 (workpiece probe), from SD 54625 (tool probe), SD 55630 to SD 55632 (speeds)
+generation-3-parameters = 3: 840D sl from 2.7, 828D from 4.4, ONE. Argument list CYCLE977(…)
+generation-3-data = Setting data: from SD 54600, from SD 54625 with MD 51780, SD 55632, SD 55634, SD 55636 (speeds)
+generations-read = Each argument by its name, any number of them; a change touches its own place only
+generations-written = { $variants }
+generations-simulated = { $variants }, with a zero offset from 1 to 99 (fine) and 10001 to 10099 (coarse)
+generations-digits = No: the digits of argument 1 are not published
+generations-no-counterpart = No: older controls have no such cycle, and the digits are not published
+
+newer-alarm-61309 = Use the tool type of a probe: 710 for milling, 712 to 714 for special tasks, 580 for turning. SD 54633 has the type of the tool probe.
+newer-alarm-61313 = Set S_PRNUM to a probe from 1 to 12.
+newer-alarm-61320 = Check the tool name in S_TNAME.
+newer-alarm-61328 = Check the tool that is corrected in S_KNUM1.
+newer-alarm-61333 = Check MD 51601 and the probe number.
+newer-alarm-61338 = Enter the positioning speeds in SD 55634 (plane) and SD 55636 (infeed), the rapid override in SD 55632. Generation 2: SD 55631 and SD 55632.
+newer-alarm-61339 = Enter the rapid override in SD 55632. Generation 2: SD 55630.
+newer-alarm-61341 = Calibrate the probe, or choose the right data set: SD 54611 must be above 0. Turning: in G18 only.
+newer-alarm-61344 = Several tools are active: leave one only.
+newer-alarm-61345 = The D number has more digits than the machine permits.
+newer-alarm-61349 = Check SD 54634.
+newer-alarm-61350 = Enter feed and speed in F1 and S1.
+newer-alarm-61351 = Length or radius of the tool is 0: enter it.
+newer-alarm-61357 = Memory or number of files is used up: delete old temporary files, check MD 18320.
+newer-alarm-61364 = Check the distances between the measuring points.
+newer-alarm-61365 = Enter the feed for circles in SD 55640.
+newer-alarm-61366 = Set SD 54674 to 3 or 4.
+newer-alarm-61367 = Check the points P1 and P2.
+newer-alarm-61368 = Check the points P2 and P3.
+newer-alarm-61369 = Check the points P3 and P4.
+newer-alarm-61372 = This variant needs a spindle that can be positioned.
+newer-alarm-61373 = This variant needs a spindle that can be positioned; check MD 52207 bit 9 and MD 51740 bit 4.
+newer-alarm-61374 = Calibrate the probe in this axis and direction.
+newer-alarm-61375 = Use either _TP[] or the setting data of the tool probe, not both.
+newer-alarm-61376 = Enter the number of teeth.
+newer-alarm-61377 = A dimension is out of tolerance.
+newer-alarm-61378 = The tool axis is not that of the main spindle: use SETMS.
+newer-alarm-61379 = A tool with more than 100 teeth cannot be measured.
+newer-alarm-61380 = The tool probe is too narrow; check MD 51781.
+newer-alarm-61401 = The path ends at a software limit before the probe switches.
+newer-alarm-61402 = The path would pass a software limit, and the probe collides.
+newer-alarm-61415 = Check SD 54633 and SD 54648 against the working plane.
+newer-alarm-61416 = Set S_PRNUM to a tool probe from 1 to 6.
+newer-alarm-61418 = Check MD 11420.
+newer-alarm-61419 = MD 51740 bit 1 and the calibration status in SD 54610 do not agree.
+newer-alarm-61420 = The probe was calibrated as mono probe and measures as multi probe, or the reverse.
+newer-alarm-61421 = _OVR[] needs 72 elements at least.
+newer-alarm-61443 = Check the angle α1: within ±120 degrees with 3 points, ±90 with 4.
+newer-alarm-61444 = The measuring feed is not the feed of the calibration: calibrate with it.
+newer-alarm-62303 = Safe area exceeded: the warning with alarm 61303.
+newer-alarm-62304 = Allowance exceeded: the warning with alarm 61304.
+newer-alarm-62305 = Dimension too small: the warning with alarm 61305.
+newer-alarm-62306 = Dimension difference exceeded: the warning with alarm 61306.
+newer-alarm-62312 = The probe does not stand at right angles to the working plane.
+newer-alarm-62315 = The data of the tool carrier are overwritten: confirm.
+newer-alarm-62316 = The transformation is active: check it.
+newer-alarm-62319 = Nothing is corrected while the probe is calibrated.
+newer-alarm-62320 = Single cutting edges differ by more than is permitted.
+newer-alarm-62377 = A dimension is out of tolerance: the warning with alarm 61377.

@@ -1,0 +1,64 @@
+# 控制系统的各代，以及新型控制系统的报警。
+
+newer-alarm = 这是新型控制系统的报警。
+generation-1-parameters = 1：至 840D sl 1.x。先赋值 _MVAR=…，再调用
+generation-1-data = 用户数据：_WP[]、_TP[]、_TPW[]、_SPEED[]、_CM[]
+generation-2-parameters = 2：840D sl 2.5 和 2.6，828D 至 4.3。先赋值 _MVAR=…，再调用
+generation-2-data = 设定数据：自 SD 54600（工件测头），自 SD 54625（刀具测头），SD 55630 至 SD 55632（速度）
+generation-3-parameters = 3：840D sl 自 2.7，828D 自 4.4，ONE。参数列表 CYCLE977(…)
+generation-3-data = 设定数据：自 SD 54600，自 SD 54625 以及 MD 51780，SD 55632、SD 55634、SD 55636（速度）
+generations-read = 每个参数按名称读取，数量不限；修改只影响其自身位置
+generations-written = { $variants }
+generations-simulated = { $variants }，零点偏移为 1 至 99（精）和 10001 至 10099（粗）
+generations-digits = 否：参数 1 各位数字的含义未公布
+generations-no-counterpart = 否：旧版控制系统没有这样的循环，其各位数字的含义也未公布
+
+newer-alarm-61309 = 使用测头的刀具类型：铣削为 710，特殊任务为 712 至 714，车削为 580。刀具测头的类型在 SD 54633 中。
+newer-alarm-61313 = 将 S_PRNUM 设为 1 至 12 号测头。
+newer-alarm-61320 = 检查 S_TNAME 中的刀具名称。
+newer-alarm-61328 = 检查 S_KNUM1 中要补偿的刀具。
+newer-alarm-61333 = 检查 MD 51601 和测头号。
+newer-alarm-61338 = 在 SD 55634（平面）和 SD 55636（进给方向）中输入定位速度，在 SD 55632 中输入快速倍率。第 2 代：SD 55631 和 SD 55632。
+newer-alarm-61339 = 在 SD 55632 中输入快速倍率。第 2 代：SD 55630。
+newer-alarm-61341 = 校准测头或选择正确的数据组：SD 54611 必须大于 0。车削：仅在 G18 中。
+newer-alarm-61344 = 有多个刀具有效：只保留一个。
+newer-alarm-61345 = D 号位数过多。
+newer-alarm-61349 = 检查 SD 54634。
+newer-alarm-61350 = 在 F1 和 S1 中输入进给率和转速。
+newer-alarm-61351 = 刀具长度或半径为 0：请输入。
+newer-alarm-61357 = 存储器或文件数量已用完：删除旧的临时文件，检查 MD 18320。
+newer-alarm-61364 = 检查测量点之间的距离。
+newer-alarm-61365 = 在 SD 55640 中输入圆弧进给率。
+newer-alarm-61366 = 将 SD 54674 设为 3 或 4。
+newer-alarm-61367 = 检查点 P1 和 P2。
+newer-alarm-61368 = 检查点 P2 和 P3。
+newer-alarm-61369 = 检查点 P3 和 P4。
+newer-alarm-61372 = 此测量方式需要可定位的主轴。
+newer-alarm-61373 = 此测量方式需要可定位的主轴；检查 MD 52207 位 9 和 MD 51740 位 4。
+newer-alarm-61374 = 在此轴和方向上校准测头。
+newer-alarm-61375 = _TP[] 和刀具测头的设定数据只能使用其一。
+newer-alarm-61376 = 输入齿数。
+newer-alarm-61377 = 尺寸超出公差。
+newer-alarm-61378 = 刀具轴不是主轴的轴：使用 SETMS。
+newer-alarm-61379 = 无法测量超过 100 齿的刀具。
+newer-alarm-61380 = 刀具测头过窄；检查 MD 51781。
+newer-alarm-61401 = 测头触发之前行程已到软件限位。
+newer-alarm-61402 = 行程会越过软件限位，测头发生碰撞。
+newer-alarm-61415 = 对照工作平面检查 SD 54633 和 SD 54648。
+newer-alarm-61416 = 将 S_PRNUM 设为 1 至 6 号刀具测头。
+newer-alarm-61418 = 检查 MD 11420。
+newer-alarm-61419 = MD 51740 位 1 与 SD 54610 中的校准状态不一致。
+newer-alarm-61420 = 测头按单向测头校准却按多向测头测量，或相反。
+newer-alarm-61421 = _OVR[] 至少需要 72 个元素。
+newer-alarm-61443 = 检查角度 α1：3 点时在 ±120 度以内，4 点时在 ±90 度以内。
+newer-alarm-61444 = 测量进给率与校准时不同：请用该进给率校准。
+newer-alarm-62303 = 超出安全区：报警 61303 的警告。
+newer-alarm-62304 = 超出余量：报警 61304 的警告。
+newer-alarm-62305 = 尺寸过小：报警 61305 的警告。
+newer-alarm-62306 = 超出尺寸差：报警 61306 的警告。
+newer-alarm-62312 = 测头与工作平面不垂直。
+newer-alarm-62315 = 刀架数据将被覆盖：请确认。
+newer-alarm-62316 = 坐标转换有效：请检查。
+newer-alarm-62319 = 校准测头时不进行补偿。
+newer-alarm-62320 = 个别刀刃的偏差超出允许值。
+newer-alarm-62377 = 尺寸超出公差：报警 61377 的警告。

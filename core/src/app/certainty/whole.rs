@@ -1,0 +1,212 @@
+//! How certain each measurement of a program is: the program many times.
+
+use super::{Certain, Draws, Spread, alone, budget, causes::Cause, certain, grown};
+use crate::app::answer::Figure;
+use crate::app::beside::Beside;
+use crate::app::run::{OfCall, RunAnswer, answers};
+use crate::app::series::{Prepared, SeriesRequest, prepared};
+use crate::app::start::Machine;
+use crate::app::{Error, ProgramText};
+use crate::dialect::Dialect;
+use crate::machine::Setup;
+use crate::run::Outcome;
+use serde::{Deserialize, Serialize};
+
+/// A program whose measurements are to be judged.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
+pub struct WholeCertaintyRequest {
+    /// Control.
+    pub control: Dialect,
+    /// Text of the program.
+    pub text: ProgramText,
+    /// Machine; absent: the core's own as it is.
+    pub setup: Option<Machine>,
+    /// Which program of the text is run, by its name; absent: the first.
+    pub program: Option<String>,
+    /// Files beside the program; absent: none.
+    pub with: Option<Vec<Beside>>,
+    /// How many runs, up to 10 000; absent: 400.
+    pub runs: Option<u32>,
+    /// Seed of all random numbers; absent: 1.
+    pub seed: Option<u64>,
+}
+
+/// How certain the measurements of a program are.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct WholeCertainty {
+    /// How many runs; 0: nothing spreads, or nothing is measured.
+    pub runs: u32,
+    /// Share of them that did not come to the end.
+    pub stopped: f64,
+    /// For each measuring call of the run, in order.
+    pub calls: Vec<CallCertainty>,
+}
+
+/// A call and how certain it is.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
+pub struct CallCertainty {
+    /// Which call.
+    #[serde(flatten)]
+    pub call: OfCall,
+    /// What it measures, as far as it spreads.
+    pub figures: Vec<Certain>,
+}
+
+/// Runs whose share of good parts is right to some percent.
+const RUNS: u32 = 400;
+const MOST: u32 = 10_000;
+
+/// Carries out a program many times. `told`: hears which share is done.
+///
+/// # Errors
+/// The machine cannot be.
+pub fn certainty_of(asked: WholeCertaintyRequest, told: &mut dyn FnMut(f64)) -> Result<WholeCertainty, Error> {
+    let WholeCertaintyRequest { control, text, setup, program, with, runs, seed } = asked;
+    let request = SeriesRequest { control, text, setup, program, with, series: None, example: None };
+    Ok(whole_certainty(&prepared(request)?, runs, seed, told))
+}
+
+/// Carries out a program as often, 400 times where that is absent. `seed`: absent 1; `told`: hears which share is done.
+pub fn whole_certainty(
+    prepared: &Prepared,
+    runs: Option<u32>,
+    seed: Option<u64>,
+    told: &mut dyn FnMut(f64),
+) -> WholeCertainty {
+    let setup = &prepared.setup;
+    let once = |machine: &Setup| prepared.run(machine);
+    let outcome = once(setup);
+    let known = answers(setup, &outcome);
+    let draws = Draws { setup, seed: seed.unwrap_or(1) };
+    let causes = draws.causes();
+    let runs = if causes.is_empty() || known.is_empty() { 0 } else { runs.unwrap_or(RUNS).clamp(1, MOST) };
+    let sets: Vec<(Vec<Cause>, u32)> = match causes.len() {
+        0 | 1 => vec![(causes.clone(), runs)],
+        _ => {
+            let each = causes.iter().map(|cause| (vec![*cause], alone(runs)));
+            std::iter::once((causes.clone(), runs)).chain(each).collect()
+        }
+    };
+    let all: u32 = sets.iter().map(|(_, runs)| runs).sum();
+    let mut done = 0;
+    let mut measure = |(causes, runs): &(Vec<Cause>, u32)| {
+        let mut measured = Measured::of(&known);
+        for run in 0..*runs {
+            measured.add(setup, &once(&draws.drawn(causes, run)), draws.growth(causes, run));
+            done += 1;
+            told(f64::from(done) / f64::from(all.max(1)));
+        }
+        measured
+    };
+    let spreads: Vec<Measured> = sets.iter().map(&mut measure).collect();
+    let calls = known.iter().enumerate().map(|(at, one)| {
+        let parts = if spreads.len() > 1 { &spreads[1..] } else { &spreads[..] };
+        CallCertainty { call: one.call, figures: judged(&outcome, at, one, &causes, &spreads[0], parts) }
+    });
+    let stopped = if runs == 0 { 0.0 } else { 1.0 - f64::from(spreads[0].finished) / f64::from(runs) };
+    WholeCertainty { runs, stopped, calls: calls.collect() }
+}
+
+/// What the figures of one call prove.
+fn judged(
+    outcome: &Outcome,
+    at: usize,
+    RunAnswer { answer, .. }: &RunAnswer,
+    causes: &[Cause],
+    all: &Measured,
+    each: &[Measured],
+) -> Vec<Certain> {
+    let deviation = |measured: &Measured, figure: usize| Spread::of(measured.values[at][figure].clone()).deviation;
+    let inputs = &outcome.called[at].inputs;
+    let figures = answer.figures.iter().enumerate().filter_map(|(figure, shown)| {
+        let parts: Vec<f64> = each.iter().map(|measured| deviation(measured, figure).powi(2)).collect();
+        certain(shown, answer, inputs, deviation(all, figure), budget(causes, &parts))
+    });
+    figures.collect()
+}
+
+/// What was measured over all runs, by call and figure.
+struct Measured<'a> {
+    known: &'a [RunAnswer],
+    values: Vec<Vec<Vec<f64>>>,
+    finished: u32,
+}
+
+impl<'a> Measured<'a> {
+    fn of(known: &'a [RunAnswer]) -> Measured<'a> {
+        let values = known.iter().map(|one| vec![Vec::new(); one.answer.figures.len()]).collect();
+        Measured { known, values, finished: 0 }
+    }
+
+    /// Takes a run: a call counts where the same one was carried out at this place.
+    fn add(&mut self, setup: &Setup, outcome: &Outcome, growth: f64) {
+        self.finished += u32::from(outcome.finished());
+        for ((known, values), now) in self.known.iter().zip(&mut self.values).zip(answers(setup, outcome)) {
+            if known.call != now.call {
+                return;
+            }
+            let of = |shown: &Figure| now.answer.figures.iter().find(|one| one.name == shown.name);
+            for (shown, values) in known.answer.figures.iter().zip(values) {
+                values.extend(of(shown).map(|one| grown(one, one.actual, growth)));
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+    use crate::control::Plane;
+    use crate::geometry::Mcs;
+    use crate::series::decide::Proof;
+    use crate::syntax::read;
+    use crate::workpiece::{Shape, Solid};
+
+    /// Two holes of 50 mm, 100 mm apart; the second is 0.018 mm too large.
+    fn two_holes(change: impl Fn(&mut Setup)) -> WholeCertainty {
+        let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
+        for (x, size) in [(0.0, 0.0), (100.0, 0.018)] {
+            let mut hole = Solid::new(Shape::Hole { diameter: 50.0, depth: 30.0 }, Mcs([x, 0.0, 0.0]));
+            hole.errors.size = size;
+            setup.workpiece.solids.push(hole);
+        }
+        change(&mut setup);
+        let call = "_MVAR=1 _SETVAL=50 _KNUM=0\nCYCLE977\n";
+        let text = format!(
+            "G17 G54 G90 T9 D1 M6\nG0 X0 Y0\nZ-10\n_TUL=0.02 _TLL=-0.02 _TSA=1 _FA=2 _PRNUM=1\n{call}Z50\nX100\nZ-10\n\
+             {call}M30\n"
+        );
+        let program = read(Dialect::Sinumerik, text.as_bytes()).into();
+        whole_certainty(&Prepared { setup, program, main: None }, Some(1000), None, &mut |_| {})
+    }
+
+    // oracle: JCGM 100, eq. 10: as for a form, two touches and two of the calibration: u = 2σ; JCGM 106, 7.3: 2 µm from
+    // its limit the second proves nothing
+    #[test]
+    fn each_call_of_a_program_is_as_certain_as_its_touches() {
+        let view = two_holes(|setup| setup.probe.repeatability.0 = 0.001);
+        assert_eq!((view.runs, view.stopped, view.calls.len()), (1000, 0.0, 2));
+        for (call, line) in view.calls.iter().zip([6, 11]) {
+            assert_eq!((call.call.line, call.call.cycle), (Some(line), Some("CYCLE977")));
+            let size = &call.figures[0];
+            assert!((size.expanded / 0.004 - 1.0).abs() < 4.0 / 2000f64.sqrt() + 0.025, "{size:?}");
+            assert!(size.budget.len() == 2 && size.budget.iter().all(|one| (one.share - 0.5).abs() < 0.2), "{size:?}");
+        }
+        let proof = |call: usize| view.calls[call].figures[0].proof;
+        assert_eq!((proof(0), proof(1)), (Some(Proof::Good), Some(Proof::Undecided)));
+    }
+
+    // oracle: hand: u = 50 mm · 11.5 µm/(m·K) · 2 K = 1.15 µm
+    #[test]
+    fn a_warm_part_is_larger() {
+        let view = two_holes(|setup| setup.temperature.spread = 2.0);
+        let size = &view.calls[0].figures[0];
+        assert!((size.expanded / 0.0023 - 1.0).abs() < 4.0 / 2000f64.sqrt() + 0.05, "{size:?}");
+        assert_eq!(size.budget[0].source.key, "certainty-temperature");
+        assert_eq!(two_holes(|_| ()).runs, 0, "nothing spreads");
+    }
+}

@@ -1,0 +1,100 @@
+//! Calls in the argument lists of newer controls: what stands at each argument, and changes of one. Also of cycles that
+//! the older control does not have.
+
+pub mod findings;
+
+use super::arguments::{places, put};
+use super::change::Edit;
+use crate::catalogue::newer::LISTS;
+use crate::catalogue::newer::arguments::Argument;
+use crate::diagnostic::Span;
+use crate::dialect::Dialect;
+use crate::entry::ArgumentList;
+use crate::syntax::{Program, Word, WordKind};
+
+/// A call in such a list.
+pub struct ListCall {
+    /// The list.
+    pub list: &'static ArgumentList,
+    /// The call.
+    pub span: Span,
+    /// Its arguments as far as it goes; more than the list has, where it has more.
+    pub arguments: Vec<ListArgument>,
+}
+
+/// An argument of a call.
+pub struct ListArgument {
+    /// What is known of it.
+    pub argument: Argument,
+    /// Its place; empty where it is omitted.
+    pub place: Span,
+    /// As it is written; empty where it is omitted.
+    pub text: String,
+}
+
+impl ListCall {
+    /// Index of an argument by its name there.
+    pub fn index(&self, name: &str) -> Option<usize> {
+        Argument::all(self.list).position(|one| !name.is_empty() && one.name.eq_ignore_ascii_case(name))
+    }
+
+    /// The argument at an offset of the text.
+    pub fn at(&self, offset: u32) -> Option<&ListArgument> {
+        self.arguments.iter().find(|one| one.place.start <= offset && offset <= one.place.end)
+    }
+}
+
+/// Every call in such a list, in the order of the text.
+pub fn list_calls(program: &Program) -> Vec<ListCall> {
+    if program.dialect != Dialect::Sinumerik {
+        return Vec::new();
+    }
+    program.words.iter().filter_map(|word| list_call(program, word)).collect()
+}
+
+/// A word as such a call.
+pub fn list_call(program: &Program, word: &Word) -> Option<ListCall> {
+    let WordKind::Call { name, args } = &word.kind else { return None };
+    if args.is_empty() {
+        return None; // the bare name takes assignments
+    }
+    let list = LISTS.iter().find(|list| program.is(*name, list.name))?;
+    let arguments = places(program, word.span).into_iter().enumerate();
+    let arguments = arguments.map(|(index, place)| ListArgument {
+        argument: Argument::at(list, index),
+        place,
+        text: program.written(place).trim().to_owned(),
+    });
+    Some(ListCall { list, span: word.span, arguments: arguments.collect() })
+}
+
+/// The edit that gives an argument this text; an empty one omits it. None: nothing changes, or it is no single argument.
+pub fn set(program: &Program, call: &ListCall, index: usize, text: &str) -> Option<Edit> {
+    let text = text.trim();
+    let own = !program.is_of_macro(call.span) && is_one_argument(text);
+    own.then(|| put(program, call.span, index, text))?
+}
+
+/// Whether a text stands between two commas as one argument: quotes and brackets are closed, no comment begins.
+fn is_one_argument(text: &str) -> bool {
+    let (mut depth, mut quoted) = (0_i64, false);
+    for one in text.chars() {
+        match one {
+            '\n' | '\r' => return false,
+            '"' => quoted = !quoted,
+            _ if quoted => {}
+            '(' | '[' => depth += 1,
+            ')' | ']' => depth -= 1,
+            ';' => return false,
+            ',' if depth == 0 => return false,
+            _ => {}
+        }
+        if depth < 0 {
+            return false;
+        }
+    }
+    depth == 0 && !quoted
+}
+
+#[cfg(test)]
+mod tests;

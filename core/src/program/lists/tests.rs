@@ -1,0 +1,233 @@
+use super::*;
+use crate::diagnostic::Diagnostic;
+use crate::program::change::apply;
+use crate::program::findings;
+use crate::syntax::read;
+use proptest::prelude::*;
+
+fn program(text: &str) -> Program {
+    read(Dialect::Sinumerik, text.as_bytes())
+}
+
+/// The text after the cure of the only finding with this key.
+fn cured(text: &str, key: &str) -> Option<String> {
+    let program = program(text);
+    let found: Vec<Diagnostic> = findings(&program).into_iter().filter(|one| one.message.key == key).collect();
+    assert_eq!(found.len(), 1, "{key} of {text}");
+    let cure = found.into_iter().next()?.cure?;
+    Some(String::from_utf8(apply(&program.source, &cure.edits)).unwrap())
+}
+
+/// Keys of errors and warnings of the calls.
+fn faults(text: &str) -> Vec<String> {
+    let found = findings(&program(text)).into_iter();
+    let found = found.filter(|one| one.severity != crate::diagnostic::Severity::Note);
+    found.map(|one| one.message.key.to_string()).filter(|key| !key.starts_with("advice-")).collect()
+}
+
+/// Calls of published programs and generators, with the numbers of their arguments at which something stands.
+const PUBLISHED: &[&str] = &[
+    "CYCLE977(1101,10001,,1,32,,,7,5,11,16,5,,,1,\"\",,0,1.01,1.01,-1.01,0.34,1,0,,1,11,-3,15)",
+    "CYCLE977(101,9000,,1,32,,,10,5,0,1,1,,,1,\"\",,0,0.2,0.1,-0.1,0.34,1,0,,1,1)",
+    "CYCLE977(103,9000,,1,32,,,10,5,0,1,1,,2,1,\"\",,0,1.01,1.01,-1.01,0.34,1,0,,1,1)",
+    "CYCLE977(104,9000,,1,32,,,10,5,0,8,1,,1,1,\"\",,0,1.01,1.01,-1.01,0.34,1,0,,1,1)",
+    "CYCLE978(0,,,1,-55,15,5,1,2,1,\"\",,0,1.01,1.01,-1.01,,,,,1,1)",
+    "CYCLE978(100,9000,,1,0,10,5,3,2,1,\"\",,0,1.01,1.01,-1.01,0.34,1,0,,1,1)",
+    "CYCLE998(100105,9000,6,1,1,0,,10,5,102,2,20,,,,,1,0,1,)",
+    "CYCLE998(100105,9000,6,1,1,0,,10,5,201,1,20,,,,,1,0,1,)",
+];
+
+// oracle: peer (jakvok/Siemens_probing, mikejg/CamHelper: argument by argument with the published lists)
+#[test]
+fn arguments_of_published_calls_have_their_names() {
+    let named = |call: &str| -> Vec<(String, String)> {
+        let program = program(call);
+        let call = &list_calls(&program)[0];
+        let said = call.arguments.iter().filter(|one| !one.text.is_empty());
+        said.map(|one| (one.argument.name.to_owned(), one.text.clone())).collect()
+    };
+    let wanted = |pairs: &[(&str, &str)]| -> Vec<(String, String)> {
+        pairs.iter().map(|(name, text)| ((*name).to_owned(), (*text).to_owned())).collect()
+    };
+    assert_eq!(
+        named(PUBLISHED[0]),
+        wanted(&[
+            ("S_MVAR", "1101"),
+            ("S_KNUM", "10001"),
+            ("S_PRNUM", "1"),
+            ("S_SETV", "32"),
+            ("S_FA", "7"),
+            ("S_TSA", "5"),
+            ("S_STA1", "11"),
+            ("S_ID", "16"),
+            ("S_SZA", "5"),
+            ("S_NMSP", "1"),
+            ("S_TNAME", "\"\""),
+            ("S_TZL", "0"),
+            ("S_TDIF", "1.01"),
+            ("S_TUL", "1.01"),
+            ("S_TLL", "-1.01"),
+            ("S_TMV", "0.34"),
+            ("S_K", "1"),
+            ("S_EVNUM", "0"),
+            ("_DMODE", "1"),
+            ("_AMODE", "11"),
+            ("S_XM", "-3"),
+            ("S_YM", "15"),
+        ])
+    );
+    assert_eq!(
+        named(PUBLISHED[4])[..8],
+        wanted(&[
+            ("S_MVAR", "0"),
+            ("S_PRNUM", "1"),
+            ("S_SETV", "-55"),
+            ("S_FA", "15"),
+            ("S_TSA", "5"),
+            ("S_MA", "1"),
+            ("S_MD", "2"),
+            ("S_NMSP", "1"),
+        ])
+    );
+    assert_eq!(
+        named(PUBLISHED[6]),
+        wanted(&[
+            ("S_MVAR", "100105"),
+            ("S_KNUM", "9000"),
+            ("S_RA", "6"),
+            ("S_PRNUM", "1"),
+            ("S_SETV", "1"),
+            ("S_STA1", "0"),
+            ("S_FA", "10"),
+            ("S_TSA", "5"),
+            ("S_MA", "102"),
+            ("S_MD", "2"),
+            ("S_ID", "20"),
+            ("S_NMSP", "1"),
+            ("S_EVNUM", "0"),
+            ("_DMODE", "1"),
+        ])
+    );
+}
+
+// oracle: peer (they run on machines as they stand)
+#[test]
+fn published_calls_have_no_fault() {
+    for call in PUBLISHED {
+        assert_eq!(faults(&format!("{call}\nM30\n")), Vec::<String>::new(), "{call}");
+    }
+}
+
+// oracle: peer (posts in which an argument is missing, in which the path is multiplied by 25.4, in which 1003 corrects a
+// zero offset); hand: what the call has to be
+#[test]
+fn published_faults_have_a_cure() {
+    let right = "CYCLE977(101,1,,1,132,,,2,1,,,,,,1,\"\",,0,1.01,1.01,-1.01,0.34,1,0,,1,1)\n";
+    let lost = right.replacen("1,,1,132", "1,1,132", 1);
+    assert_eq!(cured(&lost, "newer-lost").as_deref(), Some(right));
+    assert_eq!(faults(&lost), ["newer-lost"], "what follows from it is not told beside it");
+    let many = right.replacen("1,,1,132", "1,,,1,132", 1);
+    assert_eq!(cured(&many, "newer-many").as_deref(), Some(right));
+    let name = right.replacen(",1,\"\",", ",\"\",", 1);
+    assert_eq!(faults(&name), ["newer-lost"]);
+    let open = right.replacen(")\n", " ; hole\n", 1);
+    assert_eq!(cured(&open, "syntax-bracket").as_deref(), Some(&*right.replacen(")\n", ") ; hole\n", 1)));
+    let inch = right.replacen("132,,,2,", "132,,,50.8,", 1);
+    assert_eq!(cured(&inch, "newer-inch").as_deref(), Some(right));
+    assert!(faults(&format!("G700\n{inch}")).iter().all(|key| key != "newer-inch"), "a program in inches");
+    let zone = "CYCLE977(1003,10001,,1,60,,,2,1,0,-8,40,,2,1,\"\",,0,1.01,1.01,-1.01,0.34,1,0,,1,1)\n";
+    assert_eq!(cured(zone, "newer-target").as_deref(), Some(&*zone.replacen("1003", "1103", 1)));
+    let tool = "CYCLE978(0,2001,,1,100,2,1,1,2,1,\"DRILL\")\n";
+    assert_eq!(cured(tool, "newer-target").as_deref(), Some(&*tool.replacen("2001", "", 1)));
+}
+
+// oracle: hand (a tool target in S_KNUM1 is no argument too many; two ways to mend it are none)
+#[test]
+fn a_call_is_not_moved_on_suspicion() {
+    for call in [
+        "CYCLE977(201,,1,1,32,,,7,5,,,,,,1,\"\",,0,1.01,1.01,-1.01,0.34,1,0,,1,1)\n",
+        "CYCLE977(101,1,R5,1,R6,,,R7,5)\n",
+        "CYCLE979(101,1,,1,R6,7)\n",
+        "CYCLE150(1,,1001)\n",
+        "CYCLE996(3,1,1,25,,,,,,,,,5,3,1,,1,1)\n",
+    ] {
+        let found = findings(&program(call));
+        assert!(found.iter().all(|one| one.code != crate::own::NEWER_LOST.code()), "{call}");
+    }
+}
+
+// oracle: hand
+#[test]
+fn one_argument_stays_one() {
+    for (text, one) in [
+        ("5", true),
+        ("", true),
+        ("MAX(R1,2)", true),
+        ("\"A,B\"", true),
+        ("5,6", false),
+        ("5)", false),
+        ("5;", false),
+        ("\"A", false),
+        ("1\n2", false),
+        ("R[1", false),
+    ] {
+        assert_eq!(is_one_argument(text), one, "{text:?}");
+    }
+}
+
+/// An argument as programs write it.
+fn written() -> impl Strategy<Value = String> {
+    prop_oneof![
+        3 => Just(String::new()),
+        3 => (-9999..99_999_i32).prop_map(|number| (f64::from(number) / 100.0).to_string()),
+        1 => (0..99_u32).prop_map(|number| format!("R{number}")),
+        1 => Just("$P_TOOLR+1".to_owned()),
+        1 => Just("MAX(R1,R2)".to_owned()),
+        1 => Just("\"PROBE,3\"".to_owned()),
+        1 => Just(" 12 ".to_owned()),
+    ]
+}
+
+// oracle: self (each argument is read where it stands; a change touches its own place only)
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
+    #[test]
+    fn lists_of_each_length_are_read_and_changed_in_place(
+        which in 0..LISTS.len(),
+        texts in proptest::collection::vec(written(), 1..34),
+        at in any::<prop::sample::Index>(),
+        now in written(),
+    ) {
+        let list = &LISTS[which];
+        let head = format!("N10 G54 ; Ø\r\n  {}(", list.name);
+        let text = format!("{head}{}) ; end\r\nM30\r\n", texts.join(","));
+        let program = program(&text);
+        prop_assert_eq!(&*program.source, text.as_bytes());
+        let calls = list_calls(&program);
+        let blank = texts.iter().all(|one| one.trim().is_empty());
+        if blank && texts.len() == 1 {
+            return Ok(()); // the bare name
+        }
+        let read: Vec<&str> = calls[0].arguments.iter().map(|one| one.text.as_str()).collect();
+        let wanted: Vec<&str> = texts.iter().map(|one| one.trim()).collect();
+        prop_assert_eq!(&read, &wanted, "{}", text);
+        let index = at.index(texts.len() + 2);
+        let edits: Vec<Edit> = set(&program, &calls[0], index, &now).into_iter().collect();
+        let after = apply(&program.source, &edits);
+        let after_text = String::from_utf8(after).unwrap();
+        prop_assert!(after_text.starts_with(&head) && after_text.ends_with(") ; end\r\nM30\r\n"), "{}", after_text);
+        let again = self::program(&after_text);
+        let calls = list_calls(&again);
+        // the bare brackets, where the only argument is gone
+        let read = calls.first().map_or(&[][..], |call| &call.arguments);
+        let mut read: Vec<String> = read.iter().map(|one| one.text.clone()).collect();
+        read.resize(read.len().max(1), String::new());
+        let mut wanted: Vec<String> = wanted.into_iter().map(str::to_owned).collect();
+        if index < wanted.len() || !now.trim().is_empty() {
+            wanted.resize(wanted.len().max(index + 1), String::new());
+            wanted[index] = now.trim().to_owned();
+        }
+        prop_assert_eq!(read, wanted, "{}", after_text);
+    }
+}

@@ -1,0 +1,133 @@
+//! The generation of the control: what counts where the machine says it, how a list is written and carried out there.
+
+use super::{first_example, written};
+use probewright_core::control::{Control, GENERATION, Plane, delivery};
+use probewright_core::dialect::Dialect;
+use probewright_core::entry::Style;
+use probewright_core::geometry::Mcs;
+use probewright_core::machine::{Setup, Stop};
+use probewright_core::program::findings_on;
+use probewright_core::run::{Limits, Outcome, run};
+use probewright_core::syntax::read;
+use probewright_core::workpiece::{Shape, Solid};
+
+fn of_generation(number: f64) -> Control {
+    let mut control = delivery(Dialect::Sinumerik);
+    control.set(GENERATION, number);
+    control
+}
+
+/// Keys of what is said of the generation.
+fn said(text: &str, generation: f64) -> Vec<String> {
+    let found = findings_on(&read(Dialect::Sinumerik, text.as_bytes()), of_generation(generation));
+    found.into_iter().map(|one| one.message.key.to_string()).filter(|key| key.starts_with("generation")).collect()
+}
+
+// oracle: peer (remedies of alarms separate three generations: lists only from 840D sl 2.7, 828D 4.4); hand: one finding
+#[test]
+fn a_program_of_another_generation_is_told_once() {
+    let lists = "CYCLE977(101,1,,1,132,,,2,1)\nCYCLE977(101,2,,1,132,,,2,1)\n";
+    let assigned = "_MVAR=101 _KNUM=1 _SETVAL=132 _PRNUM=1 _FA=2\nCYCLE977\n_KNUM=2\nCYCLE977\n";
+    let no_counterpart = "CYCLE996(3,1,1,25,,,,,,,,,5,3,1,,1,1)\n";
+    for (text, wanted) in [
+        (lists, ["", "generation-list", "generation-list", ""]),
+        (no_counterpart, ["", "generation-list", "generation-list", ""]),
+        (assigned, ["", "", "", "generation-assigned"]),
+        ("G0 X1\nCYCLE116\n", ["", "", "", ""]),
+    ] {
+        for (generation, wanted) in wanted.into_iter().enumerate() {
+            let wanted: Vec<&str> = Some(wanted).filter(|key| !key.is_empty()).into_iter().collect();
+            assert_eq!(said(text, generation as f64), wanted, "{generation} {text}");
+        }
+    }
+}
+
+// oracle: peer (what machine users write where nothing is to be said; 11 where the centre is given); hand
+#[test]
+fn a_list_is_written_as_machines_have_it() {
+    let mut values = first_example("CYCLE978");
+    for (name, value) in [("_MVAR", "100"), ("_KNUM", "2"), ("S_MD", "2")] {
+        values.insert(name.into(), value.into());
+    }
+    values.retain(|name, _| !["_TZL", "_TUL", "_TLL", "_TDIF", "_TMV", "_K", "_EVNUM"].contains(&name.as_str()));
+    let edge = written("CYCLE978", &values, Style::Operate);
+    assert!(edge.text.contains(",1,2,1,\"\",,0,") && edge.text.ends_with(",0,,1,1)\n"), "{}", edge.text);
+    let keys = |written: &probewright_core::program::write::Written| -> Vec<String> {
+        written.findings.iter().map(|one| one.message.key.to_string()).collect()
+    };
+    assert_eq!(keys(&edge), Vec::<String>::new());
+    values.remove("S_MD");
+    let open = written("CYCLE978", &values, Style::Operate);
+    assert_eq!(keys(&open), ["write-direction"], "the older call does not know it");
+    let mut hole = first_example("CYCLE977");
+    for (name, value) in [("_MVAR", "1101"), ("_KNUM", "1"), ("_ID", "-16"), ("_SZA", "60"), ("S_XM", "-3")] {
+        hole.insert(name.into(), value.into());
+    }
+    let hole = written("CYCLE977", &hole, Style::Operate);
+    assert!(hole.text.contains(",-16,60,") && hole.text.ends_with(",1,11,-3)\n"), "{}", hole.text);
+    assert_eq!(keys(&hole), ["write-infeed"], "its sign stays, and that is told");
+}
+
+fn go(text: &str) -> Outcome {
+    let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
+    setup.workpiece.solids.push(Solid::new(Shape::Block { size: [100.0, 100.0, 50.0] }, Mcs::default()));
+    run(&read(Dialect::Sinumerik, text.as_bytes()), &setup, Limits::default())
+}
+
+// oracle: peer (1 to 99 is the fine offset, 10000 more the coarse one); hand: the edge is half a millimetre nearer
+#[test]
+fn fine_and_coarse_are_told_by_the_number() {
+    let with = |code: &str| {
+        let call = format!("CYCLE978(100,{code},,1,50.5,5,5,1,2,1,\"\",,0,1,1,-1,,,0,,1,1)");
+        let outcome = go(&format!("G17 G54 T9 D1 M6\nG0 X60 Y0 Z20\nZ-10\n{call}\nM30\n"));
+        assert_eq!(outcome.stop, None, "{call}");
+        let frame = &outcome.control.frames[&1];
+        [frame.fine[0], frame.coarse[0]].map(|shift| (shift * 1e6).round() / 1e6)
+    };
+    assert_eq!(with("1"), [-0.5, 0.0]);
+    assert_eq!(with("10001"), [0.0, -0.5]);
+}
+
+// oracle: peer (the digits of their variants are not published; CYCLE150 shows results and measures nothing)
+#[test]
+fn a_run_stops_at_a_call_that_is_not_understood() {
+    for call in
+        ["CYCLE979(101,1,,1,132,2,1,0,0,0,90)", "CYCLE996(3,1,1,25,,,,,,,,,5,3,1,,1,1)", "CYCLE995(1,1,1,9,5,3)"]
+    {
+        let outcome = go(&format!("G17 G54 T9 D1 M6\n{call}\nG0 X1\nM30\n"));
+        let Some(Stop::Fault(message)) = outcome.stop else { panic!("{call}") };
+        assert_eq!(&*message.key, "run-no-simulation", "{call}");
+    }
+    let outcome = go("G17 G54 T9 D1 M6\nCYCLE150(1,,1001)\nG0 X1\nM30\n");
+    assert_eq!(outcome.stop, None);
+    assert_eq!(outcome.diagnostics.len(), 1);
+}
+
+// oracle: hand (form, call and fields of a machine that takes lists)
+#[cfg(feature = "json")]
+#[test]
+fn the_form_of_a_machine_with_lists_writes_them() {
+    use probewright_core::{app, json};
+    use serde_json::json;
+    let machine = |generation: i32| json!({ "control": "sinumerik", "probe": { "radius": 3, "length": 50 }, "data": { "PW-GENERATION": generation } });
+    let ask = |cycle: &str, generation: i32, direction: &str| {
+        let values = json!({ "_MVAR": "100", "_KNUM": "10001", "_SETVAL": "50", "_MA": "1", "_PRNUM": "1", "_FA": "2",
+            "_TSA": "1", "S_MD": direction });
+        let asked = json!({ "control": "sinumerik", "cycle": cycle, "values": values,
+            "setup": machine(generation) });
+        let view = app::form(json::question(&asked.to_string()).unwrap()).unwrap();
+        serde_json::to_value(&view).unwrap()
+    };
+    let view = ask("CYCLE978", 3, "2");
+    assert_eq!(view["preset"], "operate");
+    let snippet = view["snippet"].as_str().unwrap();
+    assert!(snippet.starts_with("CYCLE978(100,10001,,1,50,2,1,1,2,1,"), "{snippet}");
+    let field = |view: &serde_json::Value| {
+        let fields = view["fields"].as_array().unwrap();
+        fields.iter().find(|field| field["name"] == "S_MD").cloned()
+    };
+    assert_eq!(field(&view).unwrap()["value"], "2");
+    let older = ask("CYCLE978", 1, "2");
+    assert_eq!(older["preset"], "direct");
+    assert!(field(&older).is_none());
+}

@@ -1,0 +1,197 @@
+// The fields of a series: how many parts, from which seed, and what varies from part to part.
+
+import { html, nothing, type TemplateResult } from "lit-html";
+import { parseNumber, plain } from "../numbers";
+import { say, t } from "../texts";
+import type { Mode, Per, Series, SeriesName, Shape, Vary } from "../wire";
+
+const SHAPES: Shape[] = ["normal", "uniform", "triangular", "arcsine"];
+const MODES: Mode[] = ["production", "independent"];
+const PERS: Per[] = ["part", "series"];
+const MOST = 10_000; // parts that a page waits for
+const FIRST_SPREAD = 0.01; // mm, of the first thing that varies
+
+/** A variation as typed. */
+interface Row {
+  what: string;
+  as: Shape;
+  spread: string; // deviation of the normal distribution, half width of the others
+  mean: string;
+  drift: string;
+  per: Per;
+  follows: string; // `name=factor`, separated by semicolons
+  values: number[];
+}
+
+/** A series as typed. */
+export interface Typed {
+  parts: string;
+  seed: string;
+  mode: Mode;
+  rows: Row[];
+}
+
+const rowOf = (vary: Vary): Row => ({
+  what: vary.what,
+  as: vary.as ?? "normal",
+  spread: plain((vary.as ?? "normal") === "normal" ? (vary.sigma ?? 0) : (vary.half ?? 0)),
+  mean: plain(vary.mean ?? 0),
+  drift: plain(vary.drift ?? 0),
+  per: vary.per ?? "part",
+  follows: Object.entries(vary.follows ?? {})
+    .map(([name, factor]) => `${name}=${factor}`)
+    .join("; "),
+  values: vary.values ?? [],
+});
+
+/** As it is typed. Where nothing varies yet, the first of `names` does, so that a run shows something. */
+export function typedOf({ runs, seed, mode, vary }: Series, names: readonly SeriesName[]): Typed {
+  const first = names[0] ? [rowOf({ what: names[0].name, sigma: FIRST_SPREAD })] : [];
+  return { parts: String(runs), seed: String(seed), mode, rows: vary.length ? vary.map(rowOf) : first };
+}
+
+const number = (text: string): number => {
+  const value = text.trim() ? parseNumber(text) : 0;
+  if (value === null) throw new Error(t("runs-no-number", { text }));
+  return value;
+};
+
+/** Names with their factors. */
+function followed(text: string): Record<string, number> {
+  const pairs = text.split(";").filter(one => one.trim());
+  return Object.fromEntries(
+    pairs.map(pair => {
+      const at = pair.lastIndexOf("=");
+      return [pair.slice(0, Math.max(0, at)).trim(), number(pair.slice(at + 1))];
+    }),
+  );
+}
+
+const varyOf = ({ what, as, spread, mean, drift, per, follows, values }: Row): Vary => ({
+  what: what.trim(),
+  as,
+  ...(as === "normal" ? { sigma: number(spread) } : { half: number(spread) }),
+  mean: number(mean),
+  drift: number(drift),
+  per,
+  follows: followed(follows),
+  ...(values.length ? { values } : {}),
+});
+
+/** What was typed. Throws what is no number, or how many parts there may be, in words. */
+export function seriesOf({ parts, seed, mode, rows }: Typed): Series {
+  const runs = number(parts);
+  if (!(runs >= 1 && runs <= MOST)) throw new Error(t("runs-range", { most: MOST }));
+  const from = Math.max(0, Math.trunc(number(seed)));
+  return { runs: Math.trunc(runs), seed: from, mode, vary: rows.map(varyOf) };
+}
+
+const input = (id: string, value: string, take: (value: string) => void): TemplateResult =>
+  html`<input id=${id} .value=${value} autocomplete="off"
+    @input=${(event: Event) => take((event.target as HTMLInputElement).value)} />`;
+
+function choice<T extends string>(id: string, all: readonly T[], value: T, take: (value: T) => void): TemplateResult {
+  return html`<select id=${id} @change=${(event: Event) => take((event.target as HTMLSelectElement).value as T)}>
+    ${all.map(one => html`<option value=${one} .selected=${one === value}>${t(`runs-${one}`)}</option>`)}
+  </select>`;
+}
+
+const field = (id: string, label: string, control: unknown): TemplateResult =>
+  html`<div class="series-field"><label for=${id}>${label}</label>${control}</div>`;
+
+/** What varies, by its name in words, or any other datum by its name. */
+function whatOf(id: string, row: Row, names: readonly SeriesName[], change: () => void): TemplateResult {
+  const known = names.some(({ name }) => name === row.what);
+  const parts = [...new Set(names.map(({ part }) => part))];
+  const option = ({ name, label }: SeriesName): TemplateResult =>
+    html`<option value=${name} .selected=${name === row.what}>${say(label)}</option>`;
+  const chosen = (event: Event): void => {
+    row.what = (event.target as HTMLSelectElement).value;
+    change();
+  };
+  const groups = parts.map(
+    part => html`<optgroup label=${part === undefined ? t("runs-of-probe") : t("runs-of-part", { part })}
+      >${names.filter(one => one.part === part).map(option)}</optgroup>`,
+  );
+  return html`${field(
+    id,
+    t("runs-what"),
+    html`<select id=${id} @change=${chosen}>${groups}
+      <option value="data." .selected=${!known}>${t("runs-of-name")}</option></select>`,
+  )}
+  ${
+    known
+      ? nothing
+      : field(
+          `${id}-name`,
+          t("runs-name"),
+          input(`${id}-name`, row.what, value => (row.what = value)),
+        )
+  }`;
+}
+
+function rowShown(
+  row: Row,
+  at: number,
+  names: readonly SeriesName[],
+  { change, remove }: { change(): void; remove(): void },
+): TemplateResult {
+  const id = (name: string): string => `series-${name}-${at}`;
+  const put = (name: "spread" | "mean" | "drift" | "follows") => (value: string) => {
+    row[name] = value;
+  };
+  const shape = choice(id("as"), SHAPES, row.as, value => {
+    row.as = value;
+    change();
+  });
+  const per = choice(id("per"), PERS, row.per, value => {
+    row.per = value;
+  });
+  const typed = (name: "spread" | "mean" | "drift" | "follows", label: string): TemplateResult =>
+    field(id(name), label, input(id(name), row[name], put(name)));
+  return html`<fieldset class="series-vary">
+    <legend>${t("runs-vary", { number: at + 1 })}</legend>
+    ${whatOf(id("what"), row, names, change)}
+    ${field(id("as"), t("runs-as"), shape)}
+    ${typed("spread", t(row.as === "normal" ? "runs-sigma" : "runs-half"))}
+    ${typed("mean", t("runs-offset"))}
+    ${typed("drift", t("runs-drift"))}
+    ${field(id("per"), t("runs-per"), per)}
+    ${typed("follows", t("runs-follows"))}
+    ${row.values.length ? html`<p>${t("runs-values", { values: row.values.map(one => plain(one)).join(" ") })}</p>` : nothing}
+    <button type="button" @click=${remove}>${t("runs-remove")}</button>
+  </fieldset>`;
+}
+
+/** All fields. `change`: draws them anew. */
+export function fieldsOf(typed: Typed, names: readonly SeriesName[], change: () => void): TemplateResult {
+  const { rows } = typed;
+  const others = names.filter(({ name }) => !rows.some(({ what }) => what === name));
+  const add = (): void => {
+    rows.push(rowOf({ what: others[0]?.name ?? "data." }));
+    change();
+  };
+  const remove = (at: number) => (): void => {
+    rows.splice(at, 1);
+    change();
+  };
+  return html`
+    ${field(
+      "series-runs",
+      t("runs-count"),
+      input("series-runs", typed.parts, value => (typed.parts = value)),
+    )}
+    ${field(
+      "series-seed",
+      t("runs-seed"),
+      input("series-seed", typed.seed, value => (typed.seed = value)),
+    )}
+    ${field(
+      "series-mode",
+      t("runs-mode"),
+      choice("series-mode", MODES, typed.mode, value => (typed.mode = value)),
+    )}
+    ${rows.map((row, at) => rowShown(row, at, names, { change, remove: remove(at) }))}
+    <button type="button" @click=${add}>${t("runs-add")}</button>
+    <p class="series-note">${t("runs-units")}</p>`;
+}
