@@ -12,8 +12,10 @@ const FALLBACK = "en"; // comes with the page, in two parts; another language co
 const LATER_WORDS = /^([a-z0-9-]+-(help|hint|words)|result-[a-z0-9-]+) =/;
 const LATER_FILES = [
   ..."advice alarms around braking changes datum digitizing equipment evaluate exported jog jog-program".split(" "),
-  ..."lathe lists logging machine-check nct protocol record run scenarios series setup syntax tool-probe".split(" "),
+  ..."lathe lists logging machine-check nct protocol record repeat run scenarios series setup syntax".split(" "),
+  "tool-probe",
   "twin",
+  "user-programs",
 ].map(name => `${name}.ftl`);
 const OF_CYCLE = /^cycle\d+\.ftl$/;
 const TERMINAL = "report.ftl"; // never shown in the page

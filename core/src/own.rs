@@ -194,8 +194,16 @@ sentences! {
     CONVERT_VARIANT_OPEN 153 Error "write-variant-open" "convert-argument-hint";
     MIRROR_DATUM 154 Warning "check-mirror-datum" "check-mirror-datum-hint";
     ROTARY_ACROSS 155 Warning "check-rotary-across" "check-rotary-across-hint";
+    NCT_ORIENTED 156 Warning "nct-oriented" "nct-oriented-hint";
+    NCT_STYLUS_OFF 157 Warning "nct-stylus-off" "nct-stylus-off-hint";
+    NCT_STYLUS_ON 158 Warning "nct-stylus-on" "nct-stylus-on-hint";
+    NCT_STYLUS_LEFT 158 Note "nct-stylus-left" "nct-stylus-on-hint";
+    NCT_LEVEL 159 Error "nct-level" "nct-level-hint";
     ERASES 160 Warning "check-erases" "check-erases-hint";
     CONVERTS 161 Warning "check-converts" "check-converts-hint";
+    NCT_ELSEWHERE 162 Warning "nct-elsewhere" "nct-elsewhere-hint";
+    NCT_TWICE 163 Error "nct-twice" "nct-twice-hint";
+    BRAKING 164 Warning "check-braking" "check-braking-hint";
     ADVICE_MILLED_DIAMETER 165 Note "advice-milled-diameter" "advice-milled-diameter-hint";
     ADVICE_LENGTH 166 Warning "advice-length" "advice-length-hint";
     SPREAD_CIRCLE 170 Warning "check-spread-circle" "check-spread-circle-hint";
@@ -234,6 +242,10 @@ sentences! {
     WRITE_INFEED 196 Warning "write-infeed" "write-infeed-hint";
     GENERATION_LIST 197 Warning "generation-list" "generation-list-hint";
     GENERATION_ASSIGNED 197 Warning "generation-assigned" "generation-assigned-hint";
+    RUNS_BEFORE 198 Note "user-program-runs-before" "";
+    RUNS_BEFORE_WHOLE 198 Note "user-program-runs-before-whole" "";
+    RUNS_BEHIND 198 Note "user-program-runs-behind" "";
+    RUNS_BEHIND_WHOLE 198 Note "user-program-runs-behind-whole" "";
 }
 
 #[cfg(all(test, feature = "cli"))]

@@ -294,6 +294,24 @@ pub fn braking(request: &str) -> Result<String, JsError> {
     Ok(json::answer(request, app::braking)?)
 }
 
+/// `RepeatRequest` → `RepeatView`.
+///
+/// # Errors
+/// A request of the wrong shape, a test that cannot be, or one that ends without values.
+#[wasm_bindgen]
+pub fn repeat(request: &str) -> Result<String, JsError> {
+    Ok(json::answer(request, app::repeat)?)
+}
+
+/// `UserProgramsRequest` → `UserProgramsView`.
+///
+/// # Errors
+/// A request of the wrong shape, or a line that cannot stand there.
+#[wasm_bindgen]
+pub fn user_programs(request: &str) -> Result<String, JsError> {
+    Ok(json::answer(request, app::user_programs)?)
+}
+
 /// `MachineCheckRequest` → `MachineCheckView`.
 ///
 /// # Errors

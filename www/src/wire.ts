@@ -16,6 +16,11 @@ export type Abilities = {
    * `data`.
    */
   rotaryCentre: [number, number, number],
+  /**
+   * How far the workpiece probe may be deflected in the directions of measuring, mm; none: not known. With MD10050,
+   * MD10070, MD32300 and MD32200 in `data` feeds beyond it are told.
+   */
+  deflection?: number,
   /** The turret of a turning machine. */
   turret: Turret,
 };
@@ -350,7 +355,10 @@ export type CallView = {
   units: UnitFunction,
   /** What is wrong with it. */
   diagnostics: Array<Diagnostic>,
-  /** Notes at values that come from other programs of the text, or differ by the way to the call. */
+  /**
+   * Notes at values that come from other programs of the text, or differ by the way to the call; without a parameter
+   * those about the user's programs that run before and after it.
+   */
   arrivals: Array<Diagnostic>,
 };
 
@@ -2323,6 +2331,90 @@ export type Refusal = {
   hint: Message,
 };
 
+/** What repeated touches come to, in the unit of the view. */
+export type RepeatFound = {
+  /** The values in their order. */
+  values: Array<number>,
+  /** Mean. */
+  mean: number,
+  /** Standard deviation of a sample. */
+  deviation: number,
+  /** Smallest value. */
+  smallest: number,
+  /** Largest value. */
+  largest: number,
+  /** Largest minus smallest. */
+  range: number,
+  /** Largest distance from the mean. */
+  furthest: number,
+  /** How many values lie in each interval from the smallest to the largest. */
+  intervals: Array<number>,
+  /** A straight line through them. */
+  trend?: RepeatTrend,
+  /** `_TZL` for one touch. */
+  zone: number,
+  /** `_TZL` for what two touches make. */
+  zoneOfTwo: number,
+};
+
+/** What is tested. */
+export type RepeatRequest = {
+  /** Axis that moves: `X`, `Y`, `Z`; absent: X. */
+  axis?: string,
+  /** Where the motion begins, in the unit that is active; absent: 0. */
+  from?: number,
+  /** Where it ends without a signal; absent: 50. */
+  to?: number,
+  /** Feed a minute in that unit; absent: 150 mm/min. */
+  feed?: number,
+  /** Measuring input, 1 or 2; absent: that of the workpiece probe, `_CHBIT[0]`. */
+  input?: number,
+  /** Touches; absent: 10. */
+  count?: number,
+  /** Whether the values are those of the machine system; absent: of the workpiece system. */
+  machine?: boolean,
+  /** First R parameter that keeps the values; absent: an array of the program does. */
+  parameters?: number,
+  /** Whether M6 changes the tool; absent: it does not. */
+  changes?: boolean,
+  /** Values of a real machine, with blanks between them; absent: the program is run. */
+  values?: string,
+  /** Words by key, for comments and operator texts. */
+  words?: { [key in string]: string },
+  /** Machine; absent: the core's own as it is. */
+  setup?: Machine,
+};
+
+/** A straight line through values in their order. */
+export type RepeatTrend = {
+  /** Change from one touch to the next. */
+  slope: number,
+  /** Correlation with the order, −1 to 1. */
+  correlation: number,
+  /** Student's t of it. */
+  t: number,
+  /** Whether it is one with 95 % confidence. */
+  certain: boolean,
+};
+
+/** The programs, and what the values come to. */
+export type RepeatView = {
+  /** One touch: whether the probe switches. */
+  function: string,
+  /** Repeated touches. */
+  program: string,
+  /** Keys of the words in them. */
+  says: Array<string>,
+  /** `mm` or `inch`. */
+  unit: string,
+  /** What the values come to, a line each. */
+  told: Array<Message>,
+  /** What should be known beside it. */
+  notes: Array<Message>,
+  /** What the values come to. */
+  found: RepeatFound,
+};
+
 /** An expression of a call that another value would take the place of. */
 export type Replaced = {
   /** As the call has it. */
@@ -3400,6 +3492,50 @@ export type UnitFunction = "G20" | "G21" | "G70" | "G71" | "G700" | "G710";
 
 /** What a machine measures with. */
 export type Use = "cycles" | "jog" | "log" | "tool-probe";
+
+/** Lines of a cycle. */
+export type UserBranch = {
+  /** The cycle. */
+  cycle: string,
+  /** Lines before its measurement. */
+  before: string,
+  /** Lines behind it. */
+  behind: string,
+};
+
+/** A cycle that can be chosen. */
+export type UserLabel = {
+  /** The cycle. */
+  cycle: string,
+  /** Stem of its messages. */
+  key: string,
+  /** Label of its lines. */
+  label: string,
+};
+
+/** Which cycles get lines of their own. */
+export type UserProgramsRequest = {
+  /** The cycles that were chosen. */
+  branches: Array<UserBranch>,
+  /** Variable of the CASE in the delivered file; absent: lines to insert are written. */
+  variable?: string,
+  /** Words by key, for comments: of `user-program-before-line` and `user-program-behind-line` for each cycle. */
+  words?: { [key in string]: string },
+};
+
+/** The two programs. */
+export type UserProgramsView = {
+  /** Cycles that can be chosen. */
+  labels: Array<UserLabel>,
+  /** CYCLE198; empty: nothing is chosen. */
+  before: string,
+  /** CYCLE199. */
+  behind: string,
+  /** What should be known beside them. */
+  notes: Array<Message>,
+  /** Places in the manual. */
+  sources: [string, string],
+};
 
 /** Values of a variant as typed, by parameter name. */
 export type Values = {

@@ -117,3 +117,5 @@ check-spread-angle = Die Punkte liegen zu dicht beieinander: In { $length } mm 
 check-spread-angle-hint = Messpunkte mit mindestens { $needed } mm Abstand wählen.
 check-spread-triangle = Die drei Punkte liegen fast auf einer Geraden: { $length } mm daneben ist das Frame { $factor }-mal so unsicher wie ein einzelner Punkt.
 check-spread-triangle-hint = Einen der Punkte weiter von der Geraden durch die beiden anderen entfernen.
+check-braking = Mit { $name } = { $feed }{ $unit } läuft die Achse nach dem Signal noch { $path } mm; der Messtaster verträgt { $deflection } mm.
+check-braking-hint = { $name } auf höchstens { $largest }{ $unit } setzen.

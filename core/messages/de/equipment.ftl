@@ -24,6 +24,7 @@ equip-transverse = Positionen in X
 equip-spindle = Spindel positionierbar (SPOS)
     .v0 = nein
     .v1 = ja
+equip-deflection = Messtaster: zulässige Auslenkung
 equip-start-x = Startposition X
 equip-start-y = Startposition Y
 equip-start-z = Startposition Z

@@ -1,6 +1,10 @@
 # Hilfeseiten der Messmakros der NCT-Steuerungen.
 
 help-stylus = Der Messtaster ist in der Spindel, seine Längenkorrektur ist aktiv, und er berührt nichts.
+help-oriented = Die Spindel ist orientiert (M19), und wo die Maschine den Messtaster mit M-Funktionen schaltet, ist er ein (M59, das auch orientiert). Vor dem Spindelstart mit M55 ausschalten.
+help-levels-none = Es ruft kein weiteres Makro und Unterprogramme auf 2 Ebenen auf. Die Ebene des aufrufenden Programms kommt dazu: Die Grenze steht in der Beschreibung der Steuerung.
+help-levels-one = Es ruft Makros auf 1 Ebene und Unterprogramme auf 2 Ebenen auf. Die Ebene des aufrufenden Programms kommt dazu: Die Grenze steht in der Beschreibung der Steuerung.
+help-levels-two = Es ruft Makros auf 2 Ebenen und Unterprogramme auf 2 Ebenen auf. Die Ebene des aufrufenden Programms kommt dazu: Die Grenze steht in der Beschreibung der Steuerung.
 help-guarded = Der Messtaster wurde mit G101 dorthin gefahren; eine Kollision unterwegs hätte ihn angehalten.
 help-steps = Eine Antastung hat drei Schritte: schnell bis zum Signal, mit mittlerem Vorschub zurück, sehr langsam wieder vor; der letzte Schritt gilt.
 help-position-lost = Das letzte G101 hat sein Ziel nicht erreicht: OUT OF POSITION.

@@ -127,3 +127,5 @@ scenario-none = { $name } hat keinen Wert. Erwartet: { $expected }.
 scenario-more = { $name } = { $found } wird nicht erwartet.
 scenario-text = { $name }: „{ $found }“. Erwartet: „{ $expected }“.
 scenario-no-file = Die Datei { $name } fehlt.
+run-deflected = Bei { $feed } mm/min steht die Achse { $path } mm hinter dem Signal; der Messtaster verträgt { $deflection } mm.
+run-deflected-too-far = Bei { $feed } mm/min steht die Achse erst { $path } mm hinter dem Signal; der Messtaster verträgt nur { $deflection } mm und würde beschädigt.

@@ -117,3 +117,5 @@ check-spread-angle = Points too close together: { $length } mm away, the direct
 check-spread-angle-hint = Place the points at least { $needed } mm apart.
 check-spread-triangle = The points are almost collinear: { $length } mm from the line, the frame is { $factor } times as uncertain as one point.
 check-spread-triangle-hint = Move one point further from the line through the other two.
+check-braking = With { $name } = { $feed }{ $unit } the axis moves { $path } mm after the signal; the probe takes { $deflection } mm.
+check-braking-hint = Set { $name } to { $largest }{ $unit } at most.

@@ -24,6 +24,7 @@ equip-transverse = Positions in X
 equip-spindle = Spindle positioning (SPOS)
     .v0 = No
     .v1 = Yes
+equip-deflection = Probe: permitted deflection
 equip-start-x = Start position X
 equip-start-y = Start position Y
 equip-start-z = Start position Z

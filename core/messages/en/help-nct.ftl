@@ -1,6 +1,10 @@
 # Help pages of the probing macros of the NCT controls.
 
 help-stylus = The stylus is in the spindle, its length offset is active, and it touches nothing.
+help-oriented = The spindle is oriented (M19), and where the machine switches the stylus by M functions, it is on (M59, which also orients). Switch it off with M55 before the spindle starts.
+help-levels-none = It calls no other macro, and subprograms on 2 levels. Add the level of the calling program: the limit is in the description of the control.
+help-levels-one = It calls macros on 1 level and subprograms on 2 levels. Add the level of the calling program: the limit is in the description of the control.
+help-levels-two = It calls macros on 2 levels and subprograms on 2 levels. Add the level of the calling program: the limit is in the description of the control.
 help-guarded = The stylus was moved there with G101, so a collision on the path would have stopped it.
 help-steps = One touch has three steps: fast up to the signal, back at medium feed, forward again very slowly; the last step gives the result.
 help-position-lost = The last G101 did not reach its target: OUT OF POSITION.

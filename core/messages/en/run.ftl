@@ -127,3 +127,5 @@ scenario-none = { $name } has no value. Expected: { $expected }.
 scenario-more = { $name } = { $found } is not expected.
 scenario-text = { $name }: “{ $found }”. Expected: “{ $expected }”.
 scenario-no-file = The file { $name } is missing.
+run-deflected = At { $feed } mm/min the axis stops { $path } mm behind the signal; the probe takes { $deflection } mm.
+run-deflected-too-far = At { $feed } mm/min the axis stops { $path } mm behind the signal; the probe takes { $deflection } mm only and would be damaged.

@@ -117,3 +117,5 @@ check-spread-angle = 各点靠得太近：方向在 { $length } mm 长度上的
 check-spread-angle-hint = 请使两点相距不小于 { $needed } mm。
 check-spread-triangle = 三点几乎在一条直线上：离直线 { $length } mm 处，坐标框架的不确定度是单个测量点的 { $factor } 倍。
 check-spread-triangle-hint = 请使其中一点离另两点的连线更远。
+check-braking = { $name } = { $feed }{ $unit } 时，触发信号之后轴还要移动 { $path } mm；测头允许 { $deflection } mm。
+check-braking-hint = { $name } 最大设为 { $largest }{ $unit }。

@@ -24,6 +24,7 @@ equip-transverse = X 轴编程
 equip-spindle = 主轴可定位（SPOS）
     .v0 = 否
     .v1 = 是
+equip-deflection = 测头：允许偏转量
 equip-start-x = 起点 X
 equip-start-y = 起点 Y
 equip-start-z = 起点 Z

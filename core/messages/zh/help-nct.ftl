@@ -1,6 +1,10 @@
 # Help pages of the probing macros of the NCT controls.
 
 help-stylus = 测针在主轴中，其长度补偿有效，且没有触碰任何物体。
+help-oriented = 主轴已定向（M19）；若机床用 M 功能开关测针，则测针已接通（M59，同时使主轴定向）。主轴启动前用 M55 断开。
+help-levels-none = 它不调用其他宏程序，子程序调用 2 级。再加上调用程序所在的级数；上限见控制系统的说明书。
+help-levels-one = 它调用 1 级宏程序和 2 级子程序。再加上调用程序所在的级数；上限见控制系统的说明书。
+help-levels-two = 它调用 2 级宏程序和 2 级子程序。再加上调用程序所在的级数；上限见控制系统的说明书。
 help-guarded = 测针用 G101 移到该处，途中若有碰撞便会停止。
 help-steps = 一次触碰分三步：快速接近直到触发，以中等速度退回，再以很低的速度前进；以最后一步为准。
 help-position-lost = 上一次 G101 没有到达目标：OUT OF POSITION。

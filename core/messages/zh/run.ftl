@@ -127,3 +127,5 @@ scenario-none = { $name } 没有值。预期：{ $expected }。
 scenario-more = { $name } = { $found }，不在预期之中。
 scenario-text = { $name }：“{ $found }”。预期：“{ $expected }”。
 scenario-no-file = 缺少文件 { $name }。
+run-deflected = 以 { $feed } mm/min 触碰时，轴停在信号之后 { $path } mm 处；测头允许 { $deflection } mm。
+run-deflected-too-far = 以 { $feed } mm/min 触碰时，轴停在信号之后 { $path } mm 处；测头只允许 { $deflection } mm，会损坏。

@@ -29,6 +29,7 @@ mod program;
 mod program_text;
 mod protocol;
 mod record;
+mod repeat;
 mod run;
 mod scan;
 mod scenario;
@@ -38,6 +39,7 @@ mod story;
 mod supply;
 mod trace;
 mod twin;
+mod user_programs;
 mod written;
 
 pub use crate::refused::Refused as Error;
@@ -83,6 +85,7 @@ pub use program::{Arrival, CallView, ProgramParameter, ProgramPlace, ReadRequest
 pub use program_text::ProgramText;
 pub use protocol::{Arrow, ProtocolColumns, ProtocolRequest, ProtocolView, UnfitLine, laid, protocol};
 pub use record::{CalibrationState, ProbeOfCall, Record, RecordAbout, RecordFile, csv};
+pub use repeat::{RepeatFound, RepeatRequest, RepeatTrend, RepeatView, repeat, repeat_on};
 pub use run::{OfCall, Run, RunAlarm, RunAnswer, RunAssumed, RunDecision, RunRequest, RunResult, RunView};
 pub use scan::{Scan, ScanRequest, ScanView, SurfaceChoice, put_surface};
 pub use scenario::{
@@ -99,6 +102,7 @@ pub use supply::{NewTool, Offer, Supply};
 pub use trace::columns::{Columns, columns, others};
 pub use trace::{Trace, happened};
 pub use twin::{Shared, TwinView};
+pub use user_programs::{CYCLE, UserBranch, UserLabel, UserProgramsRequest, UserProgramsView, user_programs};
 pub use written::WrittenFile;
 
 use crate::control::{Control, UnitFunction};

@@ -12,6 +12,7 @@ use crate::entry::{Style, Typed};
 use crate::name::Name;
 use crate::program::calls::{CallSite, calls_told};
 use crate::program::touched::cured_elsewhere;
+use crate::program::user_programs::UserPrograms;
 use crate::syntax::position::Positions;
 use crate::syntax::programs::{Unit, bare, programs};
 use crate::syntax::{Program, Word, WordKind};
@@ -122,7 +123,8 @@ pub struct CallView {
     pub units: UnitFunction,
     /// What is wrong with it.
     pub diagnostics: Vec<Finding>,
-    /// Notes at values that come from other programs of the text, or differ by the way to the call.
+    /// Notes at values that come from other programs of the text, or differ by the way to the call; without a parameter
+    /// those about the user's programs that run before and after it.
     pub arrivals: Vec<Finding>,
 }
 
@@ -182,10 +184,11 @@ fn view(program: &Program, whole: &Whole, control: Control, told: &mut dyn FnMut
         let elsewhere = Some(cured_elsewhere(program, &sites, one)).filter(|lines| !lines.is_empty());
         Finding { elsewhere, ..Finding::placed(one, &positions) }
     };
+    let around = UserPrograms::of(program);
     let own = sites.iter().filter(|site| whole.of_program(site.span.start));
     ReadView {
         diagnostics: found.iter().map(finding).collect(),
-        calls: own.map(|site| call(program, site, &positions)).collect(),
+        calls: own.map(|site| call(program, site, &around, &positions)).collect(),
         files: whole.files(&positions),
         programs: places_of(program, whole, &positions),
         parameters: programs(program).units.first().map_or_else(Vec::new, |main| parameters(program, main)),
@@ -228,7 +231,7 @@ fn parameters(program: &Program, unit: &Unit) -> Vec<ProgramParameter> {
     found
 }
 
-fn call(program: &Program, site: &CallSite, positions: &Positions) -> CallView {
+fn call(program: &Program, site: &CallSite, around: &UserPrograms, positions: &Positions) -> CallView {
     let arrival = |origin: &program::calls::Origin| Arrival {
         value: origin.text.clone(),
         line: program.line_of(origin.place.start) + 1,
@@ -251,7 +254,7 @@ fn call(program: &Program, site: &CallSite, positions: &Positions) -> CallView {
         transverse: site.transverse,
         units: site.unit_function,
         diagnostics: placed(&site.diagnostics, positions),
-        arrivals: placed(&program::arrivals(program, site), positions),
+        arrivals: placed(&[program::arrivals(program, site), around.around(site.cycle)].concat(), positions),
     }
 }
 

@@ -41,14 +41,17 @@ pub static G101: Cycle = Cycle {
         nct::OUT_OF_POSITION,
     ]],
     checks,
-    help: Help::new(&[&[
-        measures(When::Always, "help-g101-measures-nothing", "C:106-112"),
-        before(When::Always, "help-g101-before-free", "C:125-132"),
-        order(When::Always, "help-g101-order-straight", "C:106-112"),
-        corrects(When::Always, "help-g101-corrects-nothing", "C:121-123"),
-        wrong(When::Always, "help-g101-wrong-obstructed", "C:125-132"),
-        wrong(When::Always, "help-g101-wrong-incremental", "C:108"),
-    ]]),
+    help: Help::new(&[
+        &[
+            measures(When::Always, "help-g101-measures-nothing", "C:106-112"),
+            before(When::Always, "help-g101-before-free", "C:125-132"),
+            order(When::Always, "help-g101-order-straight", "C:106-112"),
+            corrects(When::Always, "help-g101-corrects-nothing", "C:121-123"),
+            wrong(When::Always, "help-g101-wrong-obstructed", "C:125-132"),
+            wrong(When::Always, "help-g101-wrong-incremental", "C:108"),
+        ],
+        nct::help::NO_MACRO,
+    ]),
     picture: Drawing::new(picture),
     simulation: Some(Simulation::new(propose, simulate)),
     aims: Aims {

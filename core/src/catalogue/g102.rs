@@ -32,6 +32,7 @@ pub static G102: Cycle = Cycle {
             wrong(When::Always, "help-g102-wrong-moved", "C:156-168"),
         ],
         nct::help::MEASURING,
+        nct::help::ONE_MACRO,
         nct::help::CALIBRATING,
     ]),
     simulation: Some(Simulation::new(ring::propose, simulate)),

@@ -39,6 +39,7 @@ pub static G103: Cycle = Cycle {
             wrong(When::Always, "help-g103-wrong-size", "C:288-317"),
         ],
         nct::help::MEASURING,
+        nct::help::ONE_MACRO,
         nct::help::CALIBRATING,
     ]),
     simulation: Some(Simulation::new(ring::propose, simulate)),

@@ -41,6 +41,7 @@ pub static G104: Cycle = Cycle {
             wrong(When::Always, "help-g104-wrong-coordinate", "C:355-393"),
         ],
         nct::help::MEASURING,
+        nct::help::ONE_MACRO,
         nct::help::CALIBRATING,
     ]),
     picture: Drawing::staged(surface::stage_axially, surface::marks_axially),

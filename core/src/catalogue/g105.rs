@@ -47,6 +47,7 @@ pub static G105: Cycle = Cycle {
             wrong(When::Always, "help-g105-wrong-far", "C:475"),
         ],
         nct::help::MEASURING,
+        nct::help::ONE_MACRO,
         nct::help::SHIFTS,
     ]),
     picture: Drawing::staged(stage, marks),

@@ -40,6 +40,7 @@ pub static G106: Cycle = Cycle {
             wrong(When::Always, "help-g106-wrong-low", "C:583-600"),
         ],
         nct::help::MEASURING,
+        nct::help::ONE_MACRO,
         nct::help::SHIFTS,
     ]),
     picture: Drawing::staged(surface::stage_axially, surface::marks_axially),

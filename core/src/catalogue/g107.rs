@@ -26,6 +26,7 @@ pub static G107: Cycle = Cycle {
             wrong(When::Always, "help-g107-wrong-turned", "C:700-720"),
         ],
         nct::help::MEASURING,
+        nct::help::TWO_MACROS,
     ]),
     simulation: Some(Simulation::new(corner::propose::<false>, corner::measure::<false>)),
     aims: Aims {

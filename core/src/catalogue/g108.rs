@@ -27,6 +27,7 @@ pub static G108: Cycle = Cycle {
             wrong(When::Always, "help-g108-wrong-close", "C:787-849"),
         ],
         nct::help::MEASURING,
+        nct::help::TWO_MACROS,
     ]),
     simulation: Some(Simulation::new(corner::propose::<true>, corner::measure::<true>)),
     aims: Aims {

@@ -82,6 +82,7 @@ pub static G109: Cycle = Cycle {
             wrong(When::Variant(&[POCKET]), "help-g109-wrong-room", "C:984-985"),
         ],
         nct::help::MEASURING,
+        nct::help::TWO_MACROS,
         nct::help::SHIFTS,
     ]),
     picture: Drawing::staged(stage, marks),

@@ -45,6 +45,7 @@ pub(crate) mod calibration;
 pub(crate) mod circle;
 pub(crate) mod common;
 pub mod example;
+pub mod functions;
 pub mod help;
 pub mod in_jog;
 pub(crate) mod lathe;
@@ -74,6 +75,7 @@ pub(crate) mod log {
 
 use crate::dialect::Dialect;
 use crate::entry::Cycle;
+pub use functions::{Functions, by_program};
 
 /// Every cycle that Probewright knows, in the order in which they are offered, as the build script finds them.
 pub static CYCLES: &[&Cycle] = ALL;
@@ -96,14 +98,6 @@ pub fn log_switches() -> [&'static str; 2] {
 /// The entry with this name on this control (`CYCLE977`, `G110`; case does not matter).
 pub fn find(dialect: Dialect, name: &str) -> Option<&'static Cycle> {
     CYCLES.iter().copied().find(|cycle| cycle.dialect == dialect && cycle.name.eq_ignore_ascii_case(name))
-}
-
-/// The macro that `G65 P…` calls by its program number: O9010 to O9019 are G101 to G110 as delivered (parameters 9041
-/// to 9050, C:58); others are called by their number only, which is their name.
-pub fn by_program(number: f64) -> Option<&'static Cycle> {
-    const FIRST: (f64, f64) = (9010.0, 101.0);
-    find(Dialect::Nct, &format!("G{}", number - FIRST.0 + FIRST.1))
-        .or_else(|| find(Dialect::Nct, &format!("G65 P{number}")))
 }
 
 #[cfg(all(test, feature = "cli"))]

@@ -1,6 +1,6 @@
 //! From typed values to inputs, parameter by parameter.
 
-use super::{Parsed, Text, error, expression::written, parse, targets, text, variants};
+use super::{Parsed, Text, braking, error, expression::written, parse, targets, text, variants};
 use crate::check::upkeep;
 use crate::control::{Control, Edge, Transverse, tools::side};
 use crate::diagnostic::{Code, Diagnostic, Severity};
@@ -62,6 +62,7 @@ fn checked(cycle: &'static Cycle, typed: &Typed, control: &Control) -> Checked {
         }
     }
     (cycle.checks)(&inputs, control, &mut diagnostics);
+    braking::look(&inputs, control, &mut diagnostics);
     let stops = |other: &Diagnostic| other.severity == Severity::Error || other.code == own::EXPRESSION.code();
     let complete = !diagnostics.iter().any(stops);
     Checked { diagnostics, inputs: complete.then_some(inputs) }

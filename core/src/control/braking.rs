@@ -1,6 +1,11 @@
 //! How far an axis goes on after the probe has switched, and how fast it may be so that the probe takes it
 //! (B:1129-1196, A:1074-1146). The formula mixes units: m/s in the first two parts, m/min in the third.
 
+use super::Control;
+
+/// Data from which the braking path follows: of the axes the lowest (B:1149-1161).
+pub const DATA: [&str; 4] = ["MD10050", "MD10070", "MD32300", "MD32200"];
+
 /// Millimetres per minute in a metre per second.
 const PER_SECOND: f64 = 60_000.0;
 /// Millimetres in a metre.
@@ -68,6 +73,55 @@ impl Braking {
         // the root as a quotient: a difference of large numbers would lose the digits
         let square = linear * linear + 2.0 * METRE * deflection / self.acceleration;
         PER_SECOND * 2.0 * deflection / (linear + square.sqrt())
+    }
+}
+
+/// What the probe has to take of a touch.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Deflection {
+    /// How far the axis goes on after the signal, mm.
+    pub path: f64,
+    /// How far the probe may be deflected, mm.
+    pub permitted: f64,
+    /// Largest feed at which it is not deflected further, mm/min.
+    pub largest: f64,
+}
+
+impl Deflection {
+    /// Whether it is more than the probe takes.
+    pub fn is_too_far(self) -> bool {
+        self.path > self.permitted
+    }
+
+    /// The path as it is told, mm: rounded up to thousandths.
+    pub fn told(self) -> f64 {
+        (self.path * 1000.0 - 1e-6).ceil() / 1000.0
+    }
+}
+
+impl Control {
+    /// How its slowest axis stops, where its machine data say so.
+    pub fn braking(&self) -> Option<Braking> {
+        let [clock, ratio, acceleration, gain] = DATA.map(|name| self.number(name));
+        let braking = Braking { delay: clock * ratio, acceleration, gain };
+        (braking.delay > 0.0 && braking.impossible().is_none()).then_some(braking)
+    }
+
+    /// What the probe has to take of a touch at a feed in mm/min; none: the machine does not say how it stops, or what
+    /// the probe allows.
+    pub fn deflection_at(&self, feed: f64) -> Option<Deflection> {
+        let permitted = self.deflection?;
+        let braking = self.braking()?;
+        Some(Deflection { path: braking.parts(feed).sum(), permitted, largest: braking.feed(permitted) })
+    }
+}
+
+/// The feed of a measuring block, mm/min: `_VMS`, or 150 up to `_FA` = 1 mm and 300 above (B:2164-2170).
+pub fn measuring_feed(chosen: f64, path: f64) -> f64 {
+    match chosen {
+        feed if feed > 0.0 => feed,
+        _ if path > 1.0 => 300.0,
+        _ => 150.0,
     }
 }
 

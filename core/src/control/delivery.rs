@@ -51,6 +51,7 @@ pub fn delivery_in(dialect: Dialect, units: Units) -> Control {
         spindle: Degrees(0.0),
         spindle_speed: 0.0,
         spindle_positions: true,
+        deflection: None,
         rotary: [Degrees(0.0); 3],
         rotary_centre: Mcs::default(),
         limits: Limits::default(),

@@ -9,11 +9,11 @@ const USER: [&str; 16] = [
     "E_MESS_MT_IN", "E_MESS_MT_TYP",
 ];
 
-/// Machine data: memories, inputs, times and the start of JOG; those of the axes count for the braking path alone.
-const MACHINE: [&str; 28] = [
-    "MD9021", "MD10050", "MD10070", "MD10132", "MD11602", "MD11604", "MD13200", "MD13210", "MD18116", "MD18118",
-    "MD18120", "MD18130", "MD18150", "MD18170", "MD18180", "MD18280", "MD18320", "MD20060", "MD20110", "MD20112",
-    "MD20310", "MD24006", "MD24007", "MD28020", "MD28040", "MD28083", "MD32200", "MD32300",
+/// Machine data: memories, inputs, times and the start of JOG.
+const MACHINE: [&str; 24] = [
+    "MD9021", "MD10132", "MD11602", "MD11604", "MD13200", "MD13210", "MD18116", "MD18118", "MD18120", "MD18130",
+    "MD18150", "MD18170", "MD18180", "MD18280", "MD18320", "MD20060", "MD20110", "MD20112", "MD20310", "MD24006",
+    "MD24007", "MD28020", "MD28040", "MD28083",
 ];
 
 /// Whether nothing in the simulation reads a datum, by its name with or without index.

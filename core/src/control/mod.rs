@@ -231,6 +231,8 @@ pub struct Control {
     pub spindle_speed: f64,
     /// Whether the spindle can be positioned with SPOS (B:864, B:6312).
     pub spindle_positions: bool,
+    /// How far the workpiece probe may be deflected in the directions of measuring, mm; none: it is not known.
+    pub deflection: Option<f64>,
     /// Where the rotary axes A B C stand, machine.
     pub rotary: [Degrees; 3],
     /// Point on the lines about which they turn, mm.

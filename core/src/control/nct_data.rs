@@ -19,6 +19,13 @@ const fn length(name: &'static str, source: &'static str) -> NctDatum {
     datum(name, element("", source).unit(LENGTH))
 }
 
+/// A parameter that holds the number of the G function which calls a macro: those from 9041 on have 101 and on (C:58).
+const fn calls(name: &'static str) -> NctDatum {
+    let last = name.as_bytes()[4] - b'0';
+    let count = if name.as_bytes()[3] == b'5' { 10 } else { last };
+    datum(name, element("", "C:58").initial(100.0 + count as f64).between(0.0, 999.0))
+}
+
 /// All of them. #510 holds the M function that turns the spindle by half a turn; 0 and 1: none does (C:74, C:156).
 pub static SUBJECTS: &[Subject<NctDatum>] = &[
     subject(
@@ -45,6 +52,21 @@ pub static SUBJECTS: &[Subject<NctDatum>] = &[
             length("#513", "C:1200"),
             datum("#1002", element("", "C:1204").between(0.0, 1.0).switch()),
             datum("#1003", element("", "C:1204").initial(1.0).between(0.0, 1.0).switch()),
+        ],
+    ),
+    subject(
+        "nct-functions",
+        &[
+            calls("P9041"),
+            calls("P9042"),
+            calls("P9043"),
+            calls("P9044"),
+            calls("P9045"),
+            calls("P9046"),
+            calls("P9047"),
+            calls("P9048"),
+            calls("P9049"),
+            calls("P9050"),
         ],
     ),
     subject("nct-printing", &[datum("P9143", element("", "C:60").initial(1.0).between(0.0, 1.0).switch())]),

@@ -117,9 +117,9 @@ impl Cycle {
         others.peek().is_some() && !others.any(|name| self.param(name).is_some())
     }
 
-    /// What is said of such a block.
-    pub fn foreign(&self) -> Diagnostic {
-        own::NCT_FOREIGN.finding().text("word", self.name).hint_text("cycle", self.name)
+    /// What is said of such a block, which names the macro by this word.
+    pub fn foreign(&self, word: &str) -> Diagnostic {
+        own::NCT_FOREIGN.finding().text("word", word).hint_text("cycle", self.name)
     }
 
     /// A parameter by its name.

@@ -27,6 +27,9 @@ impl Setup {
         self.governs()?;
         self.varies()?;
         small(&Path::of(&["position"]), &self.position.0)?;
+        if let Some(deflection) = self.control.deflection {
+            within(&Path::of(&["machine", "deflection"]), deflection, [0.0, LIMIT])?;
+        }
         let Turret { diameter, width } = self.turret;
         for (name, size) in [("diameter", diameter), ("width", width)] {
             within(&Path::of(&["machine", "turret", name]), size, [0.0, LIMIT])?;

@@ -77,6 +77,8 @@ pub struct Sim {
     touching: bool,
     /// Whether the stylus touched instead of the ball since this was last asked for.
     stylus_touched: bool,
+    /// Feed of which the deflection of the probe was told last, mm/min.
+    deflected_at: Option<f64>,
     /// What was looked at on arcs, and by a heavy part outside of cycles, since last asked for; see [`Route::search`].
     effort: usize,
 }
@@ -120,6 +122,7 @@ impl Sim {
             watched: 0.0,
             touching: true,
             stylus_touched: false,
+            deflected_at: None,
             effort: 0,
         }
     }

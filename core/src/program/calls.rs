@@ -13,6 +13,7 @@ use super::held::{ALTERNATIVES, Names, Values};
 use super::lists::findings::of_call;
 use super::tools::{ToolInUse, Tools};
 use super::write::is_expression;
+use crate::catalogue::Functions;
 use crate::control::{Control, Plane, Transverse, UnitFunction, delivery};
 use crate::diagnostic::{Diagnostic, Span};
 use crate::entry::{ArgumentList, Cycle, Style, Typed};
@@ -173,6 +174,7 @@ pub fn calls_told(program: &Program, control: Control, told: &mut dyn FnMut(f64)
         names: Names::of(program),
         arrays: HashMap::new(),
         tools: Tools { start: control.clone() },
+        functions: Functions::of(&control),
         control,
         found: Found::default(),
         first_numbers: HashMap::new(),
@@ -209,6 +211,8 @@ struct Walk<'a> {
     /// Arrays that the program declares, with their sizes.
     arrays: HashMap<String, Vec<usize>>,
     tools: Tools,
+    /// By which functions the machine calls the macros of NCT.
+    functions: Functions,
     control: Control,
     found: Found,
     /// Worth of right sides on their first pass, where a later one may bring another number, by their first byte.

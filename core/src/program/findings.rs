@@ -2,9 +2,10 @@
 
 use super::advice::advice;
 use super::block_rules::block_rules;
-use super::calls::macros::of_another_control;
+use super::calls::macros::of_functions;
 use super::calls::{CallSite, calls_on};
 use super::lists::findings::unclosed;
+use crate::catalogue::Functions;
 use crate::control::{Control, delivery};
 use crate::diagnostic::{Diagnostic, Edit, Severity, Span};
 use crate::dialect::Dialect;
@@ -30,7 +31,7 @@ pub fn findings_of(program: &Program, sites: &[CallSite], control: &Control) -> 
     let syntax = program.errors.iter().map(|error| not_understood(program, error));
     let blocks = match program.dialect {
         Dialect::Sinumerik => block_rules(program),
-        Dialect::Nct => of_another_control(program),
+        Dialect::Nct => of_functions(program, &Functions::of(control)),
     };
     let advice = advice(program, sites, control);
     let defined = definitions::of_text(program, &programs(program));

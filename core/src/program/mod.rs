@@ -18,6 +18,7 @@ pub mod lists;
 pub mod of_control;
 mod own_words;
 pub mod places;
+pub mod probe_test;
 pub mod revise;
 pub mod standard;
 pub mod tools;

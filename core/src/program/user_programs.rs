@@ -1,4 +1,16 @@
-//! Programs of the user that the measuring cycles call (B:2476-2530).
+//! Programs of the user that the measuring cycles call (B:2476-2530): what of a text runs around a call, and a
+//! skeleton.
+
+pub mod skeleton;
+
+use crate::catalogue::CYCLES;
+use crate::diagnostic::Diagnostic;
+use crate::entry::Cycle;
+use crate::own;
+use crate::syntax::Program;
+use crate::syntax::links::{canonical, targets};
+use crate::syntax::programs::programs;
+use std::collections::BTreeMap;
 
 /// A program that the measuring cycles call.
 pub struct UserProgram {
@@ -11,13 +23,65 @@ pub struct UserProgram {
 }
 
 /// Called before the measurement.
-pub const BEFORE: UserProgram = UserProgram { name: "CYCLE198", key: "user-program-before", source: "B:2482-2498" };
+pub static BEFORE: UserProgram = UserProgram { name: "CYCLE198", key: "user-program-before", source: "B:2482-2498" };
 /// Called when the measurement is complete.
-pub const BEHIND: UserProgram = UserProgram { name: "CYCLE199", key: "user-program-behind", source: "B:2500-2508" };
+pub static BEHIND: UserProgram = UserProgram { name: "CYCLE199", key: "user-program-behind", source: "B:2500-2508" };
 /// Both.
-pub const ALL: [UserProgram; 2] = [BEFORE, BEHIND];
+pub static ALL: [&UserProgram; 2] = [&BEFORE, &BEHIND];
 
 /// Whether a program of this name is on every control, so that a call of it is right where no text has it.
 pub fn delivered(name: &str) -> bool {
     ALL.iter().any(|program| program.name == name)
+}
+
+/// Measuring cycles that call them, in the order of the catalogue.
+pub fn callers() -> impl Iterator<Item = &'static Cycle> {
+    CYCLES.iter().copied().filter(|cycle| cycle.is_measuring_cycle())
+}
+
+/// The label from which the lines of a cycle begin; one is printed, `_M977` (B:2492).
+pub fn label(cycle: &Cycle) -> String {
+    format!("_M{}", cycle.name.trim_start_matches("CYCLE"))
+}
+
+/// The user's programs in a text.
+pub struct UserPrograms {
+    /// Each with its first block, and the blocks of its labels.
+    found: Vec<(&'static UserProgram, usize, BTreeMap<String, usize>)>,
+}
+
+impl UserPrograms {
+    /// Those of this text.
+    pub fn of(program: &Program) -> UserPrograms {
+        let (all, targets) = (programs(program), targets(program));
+        let of = |user: &'static UserProgram| {
+            let unit = all.named(user.name)?;
+            let inside = |(label, blocks): (&String, &Vec<usize>)| {
+                Some((label.clone(), *blocks.iter().find(|block| unit.blocks.contains(block))?))
+            };
+            let labels = targets.iter().filter_map(inside).collect();
+            Some((user, unit.blocks.start, labels))
+        };
+        UserPrograms { found: ALL.into_iter().filter_map(of).collect() }
+    }
+
+    /// What runs before and after a call of this cycle, as notes at it.
+    pub fn around(&self, cycle: &Cycle) -> Vec<Diagnostic> {
+        if !cycle.is_measuring_cycle() {
+            return Vec::new();
+        }
+        let label = label(cycle);
+        let note = |(user, first, labels): &(&'static UserProgram, usize, BTreeMap<String, usize>)| {
+            let found = labels.get(&canonical(&label));
+            let sentence = match (user.name == BEFORE.name, found) {
+                (true, Some(_)) => own::RUNS_BEFORE,
+                (true, None) => own::RUNS_BEFORE_WHOLE,
+                (false, Some(_)) => own::RUNS_BEHIND,
+                (false, None) => own::RUNS_BEHIND_WHOLE,
+            };
+            let line = found.copied().unwrap_or(*first) as f64 + 1.0;
+            sentence.finding().text("name", user.name).text("label", &label).number("line", line)
+        };
+        self.found.iter().map(note).collect()
+    }
 }

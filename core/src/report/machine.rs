@@ -194,7 +194,7 @@ fn user_programs(text: &mut String, words: &Words) {
     let cells = |program: &UserProgram| {
         [format!("`{}`", program.name), meaning(program.key, &[], words), Cited(program.source).to_string()]
     };
-    let rows = user_programs::ALL.iter().map(cells);
+    let rows = user_programs::ALL.into_iter().map(cells);
     table(text, &words.key("machine-user-programs"), ["name", "called", "source"], rows, words);
 }
 

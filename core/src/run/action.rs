@@ -97,7 +97,7 @@ enum End {
     Level,
 }
 
-/// The NCT macro that a block calls with `G110` or `G65 P9019` (parameters 9041.. give G101.. to O9010.., C:58).
+/// The NCT macro that a block calls with `G110` or `G65 P9019`; which function calls which, the machine says (C:58).
 fn measuring_macro(run: &Interpreter, found: &Words) -> Option<&'static entry::Cycle> {
     if !run.program.grammar().by_address {
         return None;
@@ -105,8 +105,8 @@ fn measuring_macro(run: &Interpreter, found: &Words) -> Option<&'static entry::C
     if found.function("G", 65.0).is_some() {
         return catalogue::by_program(found.of("P").find_map(|address| address.value.number())?);
     }
-    let codes = found.of("G").filter_map(|address| address.value.number());
-    codes.filter(|code| *code >= 100.0).find_map(|code| catalogue::find(run.program.dialect, &format!("G{code}")))
+    let mut codes = found.of("G").filter_map(|address| address.value.number());
+    codes.find_map(|code| run.functions.cycle(code))
 }
 
 /// Whether the G function of a macro stands there for something else, that of another control.

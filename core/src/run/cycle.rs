@@ -9,7 +9,7 @@ use crate::diagnostic::{Code, Diagnostic, Severity, Span};
 use crate::entry::{Cycle, Inputs, Kind, Typed};
 use crate::machine::Machine;
 use crate::problem::Problem;
-use crate::program::user_programs::{BEFORE, BEHIND, UserProgram};
+use crate::program::user_programs::{BEFORE, BEHIND, UserProgram, label};
 use crate::syntax::{links::canonical, programs::Unit};
 use crate::{check, own};
 
@@ -160,7 +160,6 @@ fn around(run: &mut Interpreter, program: &UserProgram, cycle: &Cycle, span: Spa
 
 /// The block with the label of the cycle, else the first one.
 fn start(run: &Interpreter, unit: &Unit, cycle: &Cycle) -> usize {
-    let label = format!("_M{}", cycle.name.trim_start_matches("CYCLE"));
-    let mut inside = run.targets().get(&canonical(&label)).into_iter().flatten();
+    let mut inside = run.targets().get(&canonical(&label(cycle))).into_iter().flatten();
     inside.find(|block| unit.blocks.contains(block)).copied().unwrap_or(unit.blocks.start)
 }

@@ -6,6 +6,7 @@ use super::{
     outcome::PassedOver, own_parameters, pieces, pieces::Pieces, repeat, rules::Rules, standard::Pattern, statement,
     subprogram, synchronous, synchronous::Actions, unread, unread::Unread,
 };
+use crate::catalogue::Functions;
 use crate::control::Value;
 use crate::diagnostic::{Diagnostic, Severity, Span};
 use crate::geometry::{Mcs, Wcs};
@@ -35,6 +36,8 @@ pub struct Interpreter {
     pub measured: BTreeMap<String, f64>,
     /// Where the spindle nose stood at the end of the last motion of the program, and the position of that moment.
     pub programmed: (Mcs, Wcs),
+    /// By which functions the machine calls the macros of NCT.
+    pub functions: Functions,
     /// What the tool follows with radius compensation.
     pub contour: Option<Contour>,
     /// Findings so far, each place and kind once.
@@ -317,6 +320,7 @@ impl Interpreter {
         let mut run = Interpreter {
             pieces: Pieces::default(),
             programmed: motion::standing(&sim),
+            functions: Functions::of(&sim.control),
             sim,
             modal: Modal { motion, absolute: true, feed_factor, ..Modal::default() },
             at: 0,

@@ -50,12 +50,12 @@ pub fn pass(run: &mut Interpreter, word: &Word, found: &mut Words) -> Result<(),
 /// Passes over a block whose G function means something else on another control; nobody knows where its axes stand.
 pub fn of_another_control(run: &mut Interpreter, cycle: &'static Cycle, found: &Words) {
     let span = found.path.span;
+    let word = run.functions.written(cycle);
     let of_macro = |address: &&Address| {
-        let number = address.value.number();
-        address.name == "G" && number.is_some_and(|number| cycle.name == format!("G{number}"))
+        address.name == "G" && address.value.number().is_some_and(|code| word == format!("G{code}"))
     };
     let at = found.addresses.iter().find(of_macro).map_or(span, |word| word.span);
-    run.tell_once(Diagnostic { span: Some(at), ..cycle.foreign() });
+    run.tell_once(Diagnostic { span: Some(at), ..cycle.foreign(&word) });
     run.pass_over(cycle.name.to_owned(), span);
     leave_axes(run, found);
 }

@@ -8,6 +8,8 @@ pub mod decide;
 pub mod draw;
 pub mod normal;
 pub mod random;
+pub mod repeat;
 pub mod spread;
+pub mod trend;
 #[cfg(test)]
 mod vectors;

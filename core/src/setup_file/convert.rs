@@ -22,6 +22,7 @@ pub fn setup(file: SetupFile) -> Result<Setup, Refused> {
     control.plane = file.plane;
     control.limits = Limits { minus: file.machine.limits_minus, plus: file.machine.limits_plus };
     control.spindle_positions = file.machine.spindle_positions;
+    control.deflection = file.machine.deflection;
     control.rotary_centre = Mcs(file.machine.rotary_centre);
     let mut real_tools = BTreeMap::new();
     for (number, ToolFile { name, edges }) in file.tools {
@@ -181,6 +182,7 @@ impl MachineFile {
             limits_plus: plus,
             spindle_positions: control.spindle_positions,
             rotary_centre: control.rotary_centre.0,
+            deflection: control.deflection,
             turret,
         }
     }

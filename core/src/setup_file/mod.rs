@@ -153,6 +153,11 @@ struct MachineFile {
     /// Point X Y Z on the lines about which the rotary axes turn the part. Which there are: MD20080 and MD30300 in
     /// `data`.
     rotary_centre: [f64; 3],
+    /// How far the workpiece probe may be deflected in the directions of measuring, mm; none: not known. With MD10050,
+    /// MD10070, MD32300 and MD32200 in `data` feeds beyond it are told.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional))]
+    deflection: Option<f64>,
     /// The turret of a turning machine.
     turret: Turret,
 }

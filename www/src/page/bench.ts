@@ -127,6 +127,16 @@ export function createBench(parts: Parts): Bench {
   const checkMachine = (): void => {
     void import("../views/machine-check").then(({ openMachineCheck }) => openMachineCheck(core, stop.signal));
   };
+  const repeat = (): void => {
+    const [now, has] = [shown, core()];
+    if (!now || !has) return;
+    const setup = machineTo(now.state, now.derived.view);
+    void import("../views/repeat").then(({ openRepeat }) => openRepeat(has, setup, stop.signal));
+  };
+  const userPrograms = (): void => {
+    const has = core();
+    if (has) void import("../views/user-programs").then(({ openUserPrograms }) => openUserPrograms(has, stop.signal));
+  };
   const asked = (): ProgramQuestion | null => {
     if (!shown) return null;
     const { state, derived } = shown;
@@ -146,6 +156,8 @@ export function createBench(parts: Parts): Bench {
     machine: () => later()?.equipment.open(),
     machineData: () => later()?.machineData.open(),
     machineCheck: checkMachine,
+    repeat,
+    userPrograms,
     series,
     importSetup: () => setupFile.click(),
     exportSetup: () => exportSetup(store, shown?.derived.view.setup),
@@ -156,7 +168,7 @@ export function createBench(parts: Parts): Bench {
   const later = behind(
     pieces => {
       pieces.createSheet(stage, () => shown, stop.signal);
-      const machineData = pieces.createMachineData(store, actions, core, checkMachine);
+      const machineData = pieces.createMachineData(store, actions, core, { check: checkMachine, repeat, userPrograms });
       const difference = pieces.createDifference(actions);
       const palette = pieces.createPalette(
         store,

@@ -23,6 +23,8 @@ export interface Does {
   machine(): void;
   machineData(): void;
   machineCheck(): void;
+  repeat(): void;
+  userPrograms(): void;
   series(): void;
   importSetup(): void;
   exportSetup(): void;
@@ -125,6 +127,8 @@ function ofView(
     { id: "setup-export", title: t("profile-export"), run: does.exportSetup },
     { id: "machine-data", title: t("machine-data-title"), run: does.machineData },
     { id: "machine-check", title: t("exported-title"), run: does.machineCheck },
+    { id: "repeat", title: t("repeat-title"), run: does.repeat },
+    { id: "user-programs", title: t("user-program-title"), run: does.userPrograms },
     { id: "series", title: t("runs-title"), run: does.series },
     { id: "twin", title: t("twin-open"), run: () => store.update({ snippet: { twin: !snippet.twin } }) },
     { id: "link", title: t("link-copy"), run: () => void copyLink(store) },

@@ -236,7 +236,7 @@ export function createForm(
     show(opened, !!derived.opened);
     if (derived.opened) setText(where, openedAt(cycle.cycle, derived.opened));
     const names = new Set(view.fields.map(field => field.name));
-    const arrivals = derived.opened?.arrivals.filter(one => names.has(one.param ?? "")) ?? [];
+    const arrivals = derived.opened?.arrivals.filter(one => one.param === undefined || names.has(one.param)) ?? [];
     // what is said of how a value arrives there tells more than that it is not known
     const told = (one: Diagnostic): boolean =>
       arrivals.some(other => other.param === one.param && other.code === one.code);

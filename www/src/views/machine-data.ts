@@ -74,12 +74,13 @@ function citedText({ name, key, set, source }: MachineField): string {
 
 const choiceText = (key: string, value: number): string => `${plain(value)} · ${optional(`${key}.v${value}`)}`;
 
-/** `check`: holds what a control exported against what measuring needs. */
+/** Ways from here: `check` holds what a control exported against what measuring needs, `repeat` tests a probe,
+ * `userPrograms` writes lines around the cycles. */
 export function createMachineData(
   store: Store,
   actions: Actions,
   core: () => ProgramCore | null,
-  check: () => void,
+  ways: { check(): void; repeat(): void; userPrograms(): void },
 ): MachineData {
   const search = el("input", {
     type: "search",
@@ -101,6 +102,8 @@ export function createMachineData(
   const definitions = el("button", { type: "button" }, t("machine-data-definitions"));
   const reset = el("button", { type: "button" }, t("machine-data-reset"));
   const checking = el("button", { type: "button" }, t("exported-title"));
+  const repeating = el("button", { type: "button" }, t("repeat-title"));
+  const writing = el("button", { type: "button" }, t("user-program-title"));
   const dialog = el(
     "dialog",
     { class: "machine-data", "aria-labelledby": "machine-data-title" },
@@ -120,7 +123,7 @@ export function createMachineData(
     ),
     list,
     cited,
-    el("div", { class: "actions" }, checking, assignments, definitions, reset, close),
+    el("div", { class: "actions" }, checking, repeating, writing, assignments, definitions, reset, close),
   );
   document.body.append(dialog);
 
@@ -219,7 +222,15 @@ export function createMachineData(
   on(close, "click", () => dialog.close());
   on(checking, "click", () => {
     dialog.close();
-    check();
+    ways.check();
+  });
+  on(repeating, "click", () => {
+    dialog.close();
+    ways.repeat();
+  });
+  on(writing, "click", () => {
+    dialog.close();
+    ways.userPrograms();
   });
   on(assignments, "click", () => void copyText(view?.assignments ?? "", store, "notice-copied"));
   on(definitions, "click", () => void copyText(view?.definitions ?? "", store, "notice-copied"));

@@ -2,7 +2,7 @@
 
 use super::fault::{Files, MachineFault, identified};
 use super::read::{Exported, shown};
-use crate::control::braking::Braking;
+use crate::control::braking::{self, Braking};
 use crate::control::needs::Use;
 use crate::control::{Value, arrays, gud};
 use crate::diagnostic::Severity;
@@ -20,9 +20,6 @@ const FEEDS: [(&str, &str, f64, &str); 7] = [
     ("E_MESS_FZ", "", 1.0, "B:14180;B:1143-1161"),
     ("E_MESS_MT_FM", "", 1.0, "B:14198;B:1143-1161"),
 ];
-
-/// Data from which the braking path follows: of the axes the lowest (B:1149-1161).
-const AXIS: [&str; 4] = ["MD10050", "MD10070", "MD32300", "MD32200"];
 
 /// What the export says of the slowest axis.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -44,24 +41,24 @@ pub fn axis(given: &Exported) -> Option<MachineAxis> {
             all.filter_map(|(_, given)| if let Value::Number(value) = given.value { Some(value) } else { None });
         numbers.min_by(f64::total_cmp)
     };
-    let [clock, ratio, acceleration, gain] = AXIS.map(lowest);
+    let [clock, ratio, acceleration, gain] = braking::DATA.map(lowest);
     let axis = MachineAxis { delay: clock? * ratio?, acceleration: acceleration?, gain: gain? };
-    braking(axis).impossible().is_none().then_some(axis)
+    of_axis(axis).impossible().is_none().then_some(axis)
 }
 
-fn braking(axis: MachineAxis) -> Braking {
+fn of_axis(axis: MachineAxis) -> Braking {
     Braking { delay: axis.delay, acceleration: axis.acceleration, gain: axis.gain }
 }
 
 /// Data of the axis that no file gives.
 pub fn missing(given: &Exported) -> Vec<String> {
     let there = |number: &str| given.data.keys().any(|(name, _)| arrays::stem(name) == number);
-    AXIS.into_iter().filter(|number| !there(number)).map(identified).collect()
+    braking::DATA.into_iter().filter(|number| !there(number)).map(identified).collect()
 }
 
 /// Feeds whose braking path is longer than the deflection, mm.
 pub fn faults(given: &Exported, files: &Files, without: &[Use], deflection: f64) -> Vec<MachineFault> {
-    let Some(braking) = axis(given).map(braking) else { return Vec::new() };
+    let Some(braking) = axis(given).map(of_axis) else { return Vec::new() };
     let mut found: Vec<MachineFault> = Vec::new();
     for channel in given.channels() {
         for (name, switch, as_delivered, source) in FEEDS {

@@ -17,11 +17,13 @@ mod progress;
 mod protocol;
 mod read;
 mod record;
+mod repeat;
 mod run;
 mod scan;
 mod series;
 mod stream;
 mod test;
+mod user_programs;
 mod write;
 
 use clap::{Parser, Subcommand};
@@ -65,6 +67,8 @@ enum Command {
     Jog(jog::Arguments),
     Machine(machine::Arguments),
     Braking(braking::Arguments),
+    Repeat(repeat::Arguments),
+    UserPrograms(user_programs::Arguments),
     Lsp,
 }
 
@@ -115,6 +119,8 @@ fn run_command(command: Command, lang: Option<&str>, words: &Words, out: &mut dy
         Command::Series(asked) => series::series(&asked, words, out),
         Command::Test(asked) => test::test(&asked, words, out),
         Command::Jog(asked) => jog::jog(&asked, words, out),
+        Command::UserPrograms(asked) => user_programs::user_programs(&asked, words, out),
+        Command::Repeat(asked) => repeat::repeat(&asked, words, out),
         Command::Braking(asked) => braking::braking(&asked, words, out),
         Command::Machine(asked) => machine::machine(&asked, words, out),
         // words of its own: the client may ask for another language

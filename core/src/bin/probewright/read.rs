@@ -5,6 +5,7 @@ use crate::file::{Control, Problem};
 use crate::joined::Joined;
 use probewright_core::message::printable;
 use probewright_core::program::calls::calls;
+use probewright_core::program::user_programs::UserPrograms;
 use probewright_core::words::Words;
 use probewright_core::{app, json, syntax};
 use std::io::Write;
@@ -32,12 +33,16 @@ pub fn read(asked: &Arguments, words: &Words, out: &mut dyn Write) -> Result<Exi
         file::print_json(json::document(&app::calls(&program)), words, out)?;
         return Ok(ExitCode::SUCCESS);
     }
+    let around = UserPrograms::of(&program);
     for call in calls(&program) {
         let (path, last) = joined.line(call.line);
         let (_, first) = joined.line(call.first_line);
         writeln!(out, "{}:{}-{}: {}", path.display(), first + 1, last + 1, call.cycle.name)?;
         for (name, value) in &call.values {
             writeln!(out, "    {name}={}", printable(value))?;
+        }
+        for note in around.around(call.cycle) {
+            writeln!(out, "    {}", words.text(&note.message))?;
         }
     }
     Ok(ExitCode::SUCCESS)

@@ -80,6 +80,7 @@ pub static G110: Cycle = Cycle {
             wrong(When::Variant(&[BORE]), "help-g110-wrong-room", "C:1144"),
         ],
         nct::help::MEASURING,
+        nct::help::TWO_MACROS,
         nct::help::SHIFTS,
     ]),
     picture: Drawing::staged(stage, marks),

@@ -213,3 +213,27 @@ proptest! {
         prop_assert!((result("DEVIATION") - size).abs() < 1e-9, "{} {}", result("DEVIATION"), size);
     }
 }
+
+// oracle: manual C:58 (parameter 9050 holds the function that calls O9019), self (the same measurement by its own name)
+#[test]
+fn a_machine_calls_the_bore_by_another_function() {
+    use crate::entry::Style;
+    use crate::program::{calls::calls_on, findings_on, write::snippet};
+    use crate::run::{Limits, run};
+    let delivered = bore(PartErrors { size: 0.03, ..PartErrors::default() });
+    let mut other = delivered.clone();
+    other.control.set("P9050", 120.0);
+    let written = |setup: &Setup| snippet(&G110, &typed(&[("D", "50")]), &setup.control, Style::Direct, None).text;
+    assert_eq!((written(&delivered).as_str(), written(&other).as_str()), ("G110 D50\n", "G120 D50\n"));
+    let read = |text: &str| crate::syntax::read(Dialect::Nct, text.as_bytes());
+    let deviation = |text: &str, setup: &Setup| run(&read(text), setup, Limits::default()).control.number("DEVIATION");
+    near(deviation("G59 G18 G120 D50\nM30\n", &other), 0.03);
+    near(deviation("G59 G18 G65 P9019 D50\nM30\n", &other), 0.03);
+    near(deviation("G59 G18 G110 D50\nM30\n", &other), 0.0);
+    let found = calls_on(&read("G120 D50\nG110 D40\n"), other.control.clone());
+    let sizes: Vec<_> = found.iter().map(|site| (site.cycle.name, site.values["D"].as_str())).collect();
+    assert_eq!(sizes, [("G110", "50")]);
+    let told = findings_on(&read("G120 D50\nG110 D40\n"), other.control.clone());
+    let mut keys = told.iter().map(|one| one.message.key.as_ref());
+    assert_eq!(keys.find(|key| key.starts_with("nct-")), Some("nct-elsewhere"));
+}

@@ -20,6 +20,7 @@ pub(super) struct Machine {
     minus: [Option<f64>; 3],
     plus: [Option<f64>; 3],
     centre: [f64; 3],
+    deflection: Option<f64>,
     turret: [f64; 2],
     position: [f64; 3],
     temperature: Temperature,
@@ -43,6 +44,7 @@ impl Machine {
             minus: control.limits.minus,
             plus: control.limits.plus,
             centre: control.rotary_centre.0,
+            deflection: control.deflection,
             turret: [setup.turret.diameter, setup.turret.width],
             position: setup.position.0,
             temperature: setup.temperature,
@@ -63,6 +65,8 @@ impl Machine {
         if !control.make().registers {
             let positions = Held::Choice(&mut self.spindle_positions, &[0, 1]);
             all.push(Slot::new("equip-spindle", positions));
+            let deflection = Slot::new("equip-deflection", Held::Limit(&mut self.deflection));
+            all.push(deflection.within(Range::NOT_NEGATIVE).cited("B:1143-1161"));
         }
         if lathe {
             all.push(Slot::new("equip-transverse", Held::Choice(&mut self.transverse, &[0, 1, 2])));
@@ -84,6 +88,7 @@ impl Machine {
         control.spindle_positions = self.spindle_positions != 0;
         (control.limits.minus, control.limits.plus) = (self.minus, self.plus);
         control.rotary_centre.0 = self.centre;
+        control.deflection = self.deflection;
         [setup.turret.diameter, setup.turret.width] = self.turret;
         setup.position.0 = self.position;
         setup.temperature = self.temperature;

@@ -119,6 +119,10 @@ fn the_types_of_the_page_are_those_of_the_core() {
     types.visit::<MachineView>();
     types.visit::<BrakingRequest>();
     types.visit::<BrakingView>();
+    types.visit::<RepeatRequest>();
+    types.visit::<RepeatView>();
+    types.visit::<UserProgramsRequest>();
+    types.visit::<UserProgramsView>();
     types.visit::<MachineCheckRequest>();
     types.visit::<MachineCheckView>();
     types.visit::<EquipRequest>();

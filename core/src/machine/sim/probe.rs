@@ -142,6 +142,7 @@ impl Sim {
             return Err(self.crash(&met));
         }
         self.switched(&met);
+        self.tell_deflection(feed);
         if met.by == Touching::Stylus {
             self.stylus_touched = true;
             self.note(Step::Decision { message: Message::new("run-stylus") });
@@ -153,6 +154,16 @@ impl Sim {
     pub(super) fn switched(&mut self, met: &Obstacle) {
         self.touching = true;
         self.note(Step::Touch { latched: met.stop, ball: met.ball, point: met.point, normal: met.normal, by: met.by });
+    }
+
+    /// What the probe has to take, as the axis goes on after the signal: the measured value is latched before. It is
+    /// told where the machine says how it stops, and again when the feed is another.
+    fn tell_deflection(&mut self, feed: f64) {
+        let Some(told) = self.control.deflection_at(feed).filter(|_| self.deflected_at != Some(feed)) else { return };
+        self.deflected_at = Some(feed);
+        let key = if told.is_too_far() { "run-deflected-too-far" } else { "run-deflected" };
+        let message = Message::new(key).number("feed", feed).number("path", told.told());
+        self.note(Step::Decision { message: message.number("deflection", told.permitted) });
     }
 
     /// Probe or tool hits something where nobody watches, or with what gives no signal.

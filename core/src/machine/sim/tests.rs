@@ -271,3 +271,28 @@ fn nothing_is_driven_beyond_what_can_be_computed() {
     let stop = long.travel(Wcs([0.0; 3]), MotionKind::Rapid, 0.0, false);
     assert!(matches!(stop, Err(Stop::Fault(message)) if message.key == "run-far"));
 }
+
+#[test]
+fn what_the_probe_takes_is_told_and_nothing_measured_changes() {
+    // oracle: manual B:1184-1196 (axis of the example), hand (150 mm/min: 0.193 mm, 300 mm/min: 0.393 mm)
+    let (mut plain, mut told) = (sim(), sim());
+    let axis = [("MD10050", 0.004), ("MD10070", 4.0), ("MD32300", 1.0), ("MD32200", 1.0)];
+    axis.iter().for_each(|(name, value)| told.control.set(*name, *value));
+    told.control.deflection = Some(0.3);
+    for feed in [150.0, 150.0, 300.0] {
+        let latched = plain.probe(Wcs([0.0, 0.0, -10.0]), feed).unwrap();
+        assert_eq!(told.probe(Wcs([0.0, 0.0, -10.0]), feed).unwrap(), latched);
+        assert_eq!(told.position, plain.position);
+        plain.travel(Wcs([0.0, 0.0, 20.0]), MotionKind::Retract, 1000.0, true).unwrap();
+        told.travel(Wcs([0.0, 0.0, 20.0]), MotionKind::Retract, 1000.0, true).unwrap();
+    }
+    let decided = |sim: &Sim| -> Vec<String> {
+        let messages = sim.trace.entries.iter().filter_map(|entry| match entry.step {
+            Step::Decision { message } => Some(message.key.to_string()),
+            _ => None,
+        });
+        messages.collect()
+    };
+    assert_eq!(decided(&plain), [""; 0]);
+    assert_eq!(decided(&told), ["run-deflected", "run-deflected-too-far"]);
+}

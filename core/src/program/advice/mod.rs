@@ -4,6 +4,7 @@ mod at_call;
 mod behind;
 mod generation;
 mod inherited;
+mod nct;
 mod read_back;
 mod subprograms;
 mod unsaid;
@@ -57,6 +58,7 @@ pub fn advice(program: &Program, sites: &[CallSite], control: &Control) -> Vec<D
     subprograms::outside(program, &programs, &mut found);
     subprograms::misnamed(program, &programs, &mut found);
     if program.grammar().by_address {
+        nct::look(program, &programs, sites, &mut found);
         return found;
     }
     let generation = generation::look(program, sites, control);

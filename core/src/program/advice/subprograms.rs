@@ -92,7 +92,7 @@ pub fn too_deep(program: &Program, programs: &Programs, sites: &[CallSite], foun
 }
 
 /// Deepest level on which each unit runs. What nothing calls may be the main program.
-fn levels(calls: &[Vec<usize>]) -> Vec<usize> {
+pub(super) fn levels(calls: &[Vec<usize>]) -> Vec<usize> {
     let mut levels = vec![1; calls.len()];
     for called in calls.iter().flatten() {
         levels.get_mut(*called).into_iter().for_each(|level| *level = 0);

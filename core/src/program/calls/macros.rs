@@ -2,10 +2,13 @@
 
 use super::site::Called;
 use super::{Place, Walk};
-use crate::catalogue;
+use crate::catalogue::functions::Calls;
+use crate::catalogue::{self, Functions};
 use crate::control::{Control, Plane};
-use crate::diagnostic::{Diagnostic, Span};
+use crate::diagnostic::{Diagnostic, Edit, Span};
 use crate::entry::Cycle;
+use crate::message::Message;
+use crate::own;
 use crate::program::held::Held;
 use crate::syntax::{Block, Program, WordKind, fold};
 use std::rc::Rc;
@@ -31,7 +34,7 @@ impl Walk<'_> {
     /// The macro that a G function calls, G65 by the number at P (C:58), with the place of the words that name it.
     fn macro_call(&self, place: &Place, code: f64, block: &Block, span: Span) -> Option<(&'static Cycle, Span)> {
         if code != 65.0 {
-            let cycle = by_function(self.program, code)?;
+            let cycle = self.functions.cycle(code)?;
             return (!foreign(self.program, cycle, block)).then_some((cycle, span));
         }
         let (named, number) = self.program.words_of(block).iter().find_map(|word| {
@@ -65,22 +68,37 @@ fn foreign(program: &Program, cycle: &'static Cycle, block: &Block) -> bool {
     cycle.is_foreign(names.iter().map(String::as_str))
 }
 
-/// What the text says of G functions of macros that are none: at each of them.
-pub fn of_another_control(program: &Program) -> Vec<Diagnostic> {
+/// What is said of G functions that call a macro on this machine or on another one, at each of them.
+pub fn of_functions(program: &Program, functions: &Functions) -> Vec<Diagnostic> {
     let mut found = Vec::new();
     for block in &program.blocks {
         for word in program.words_of(block) {
-            let cycle = program.literal(word, "G").and_then(|code| by_function(program, code));
-            let cycle = cycle.filter(|cycle| foreign(program, cycle, block));
-            found.extend(cycle.map(|cycle| cycle.foreign().on(word.span)));
+            let Some(code) = program.literal(word, "G") else { continue };
+            let one = match functions.called(code) {
+                Some(Calls { cycle, .. }) if foreign(program, cycle, block) => Some(cycle.foreign(&format!("G{code}"))),
+                Some(calls) => twice(code, &calls),
+                None => elsewhere(program, functions, code, block, word.span),
+            };
+            found.extend(one.map(|one| one.on(word.span)));
         }
     }
     found
 }
 
-/// The macro that a G function calls.
-fn by_function(program: &Program, code: f64) -> Option<&'static Cycle> {
-    catalogue::find(program.dialect, &format!("G{code}"))
+/// Two parameters of the machine have the number of the function.
+fn twice(code: f64, calls: &Calls) -> Option<Diagnostic> {
+    let also = calls.also.as_ref()?;
+    let finding = own::NCT_TWICE.finding().text("word", format!("G{code}"));
+    Some(finding.text("parameter", &calls.parameter).text("also", also).text("cycle", calls.cycle.name))
+}
+
+/// A block that calls a macro as the manual sets the parameters, and none on this machine.
+fn elsewhere(program: &Program, functions: &Functions, code: f64, block: &Block, at: Span) -> Option<Diagnostic> {
+    let missed = functions.missed(code).filter(|missed| !foreign(program, missed.cycle, block))?;
+    let instead = functions.written(missed.cycle);
+    let finding = own::NCT_ELSEWHERE.finding().text("word", format!("G{code}")).text("parameter", missed.parameter);
+    let write = Message::new("syntax-write").text("value", &instead);
+    Some(finding.cured(write, vec![Edit::replace(at, &instead)]))
 }
 
 /// Plane and units by the G functions before the call.

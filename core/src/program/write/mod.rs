@@ -4,6 +4,7 @@ mod list;
 pub mod machine;
 mod support;
 
+use crate::catalogue::Functions;
 use crate::check;
 use crate::check::{Parsed, Text, expression, parse, parse_text};
 use crate::control::Control;
@@ -196,7 +197,7 @@ fn source<'a>(cycle: &'static Cycle, typed: &Typed, control: &'a Control) -> Sou
 
 fn addresses(source: &Source) -> Lines {
     let mut text = Lines::default();
-    text.push(source.cycle.name);
+    text.push(&Functions::of(source.control).written(source.cycle));
     for (param, value) in &source.values {
         text.push(" ");
         text.word(Some(param.name), &format!("{}{value}", param.name));

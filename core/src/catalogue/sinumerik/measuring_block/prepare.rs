@@ -5,6 +5,7 @@ use crate::catalogue::common::MONO;
 use crate::catalogue::prelude::*;
 use crate::catalogue::sinumerik::{calibrated_as, state};
 use crate::control::Frame;
+use crate::control::braking::measuring_feed;
 use crate::geometry::{TOLERANCE, rigid};
 
 impl Block {
@@ -101,15 +102,6 @@ fn probe(control: &Control, inputs: &Inputs) -> Result<(i64, bool), u32> {
 /// Whether the probe is in the turret of a turning machine, where no spindle turns it.
 fn turning(inputs: &Inputs) -> bool {
     inputs.cycle.purpose.machine == MachineSort::Turning
-}
-
-/// `_VMS`, or 150 mm/min up to `_FA` = 1 and 300 mm/min above (B:2164-2170).
-fn measuring_feed(chosen: f64, path: f64) -> f64 {
-    match chosen {
-        feed if feed > 0.0 => feed,
-        _ if path > 1.0 => 300.0,
-        _ => 150.0,
-    }
 }
 
 /// Speeds of monitored positioning in the plane and in the applicate, mm/min (B:13732-13733, A:15879-15880).

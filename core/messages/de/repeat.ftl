@@ -1,0 +1,22 @@
+# Wiederholtes Antasten einer Stelle: Testprogramme des Messtasters und ihre Auswertung.
+
+repeat-control = Die Testprogramme sind für SINUMERIK-Steuerungen.
+repeat-value = { $name } ist nicht möglich.
+repeat-few = Mindestens zwei Werte sind nötig.
+repeat-many = Höchstens { $most } Werte werden ausgewertet.
+repeat-not-a-number = { $value } ist keine Zahl.
+repeat-no-signal = Der Messtaster hat unterwegs nicht geschaltet, deshalb gibt es keine Werte.
+repeat-no-scatter = Der Messtaster dieser Maschine streut nicht: Jede Antastung ergibt denselben Wert. Seine Wiederholgenauigkeit eingeben oder Werte der realen Maschine einfügen.
+repeat-drift = Die Werte wandern von Antastung zu Antastung: Das ist nicht zufällig. Test mit warmer Maschine wiederholen.
+repeat-narrow = Drei Standardabweichungen sind { $three }, mehr als das vorgeschlagene _TZL: Mehr Antastungen fänden größere Abweichungen.
+repeat-mean = { $count } Antastungen, Mittelwert { $mean }{ $unit }
+repeat-deviation = Standardabweichung s = { $one }{ $unit }; 2 s = { $two }, 3 s = { $three }
+repeat-range = Kleinster Wert { $smallest }, größter { $largest }, Spannweite { $range }{ $unit }
+repeat-furthest = Größte Abweichung vom Mittelwert { $furthest }{ $unit }
+repeat-slope = Drift { $slope }{ $unit } von Antastung zu Antastung (t = { $t })
+repeat-zone = Vorschlag _TZL = { $zone }{ $unit }: die größte zufällige Abweichung, aufgerundet; { $two }{ $unit } für Durchmesser oder Breite, die aus zwei Antastungen entstehen
+probe-test-function = Funktionstest: eine Antastung von Hand oder am Werkstück
+probe-test-repeat = Wiederholgenauigkeit: Antastungen einer Stelle
+probe-test-switched = Messtaster hat geschaltet, R1 = WKS, R2 = MKS
+probe-test-failed = Messtaster hat nicht geschaltet
+probe-test-done = Alle Antastungen fertig, Werte ablesen

@@ -1,0 +1,22 @@
+# Repeated touches of one place: the test programs of a probe, and what the values come to.
+
+repeat-control = The test programs are for SINUMERIK controls.
+repeat-value = { $name } is not possible.
+repeat-few = At least two values are needed.
+repeat-many = At most { $most } values are evaluated.
+repeat-not-a-number = { $value } is not a number.
+repeat-no-signal = The probe did not switch on the way, so there are no values.
+repeat-no-scatter = The probe of this machine has no repeatability error: each touch gives the same value. Set its repeatability, or paste values from the real machine.
+repeat-drift = The values drift from touch to touch: this is not random. Repeat the test when the machine is warm.
+repeat-narrow = Three standard deviations are { $three }, more than the proposed _TZL: more touches would find larger deviations.
+repeat-mean = { $count } touches, mean { $mean }{ $unit }
+repeat-deviation = Standard deviation s = { $one }{ $unit }; 2 s = { $two }, 3 s = { $three }
+repeat-range = Smallest { $smallest }, largest { $largest }, range { $range }{ $unit }
+repeat-furthest = Largest deviation from the mean { $furthest }{ $unit }
+repeat-slope = Drift { $slope }{ $unit } from touch to touch (t = { $t })
+repeat-zone = Proposed _TZL = { $zone }{ $unit }: the largest random deviation, rounded up; { $two }{ $unit } for a diameter or a width, which two touches make
+probe-test-function = Function test: one touch of the probe by hand or at a part
+probe-test-repeat = Repeat accuracy: touches of one place
+probe-test-switched = Probe switched, R1 = WCS, R2 = MCS
+probe-test-failed = Probe did not switch
+probe-test-done = All touches done, read the values

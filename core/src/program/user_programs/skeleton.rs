@@ -1,0 +1,153 @@
+//! CYCLE198 and CYCLE199 with lines of the user in the branches of chosen cycles (B:2471-2501, A:2683-2716). As
+//! delivered each is a CASE that jumps to the label of the cycle, whose lines end in M17; the variable of the CASE is
+//! not printed.
+
+use super::{BEFORE, UserProgram, label};
+use crate::dialect::Dialect;
+use crate::entry::Cycle;
+use crate::syntax::{Word, WordKind, read};
+use std::fmt::Write;
+
+/// Lines of a cycle.
+pub struct Branch {
+    /// The cycle.
+    pub cycle: &'static Cycle,
+    /// Lines before its measurement.
+    pub before: Vec<String>,
+    /// Lines behind it.
+    pub behind: Vec<String>,
+}
+
+/// The comment of a branch: key with the cycle.
+pub type Words<'a> = &'a dyn Fn(&str, &Cycle) -> String;
+
+/// The lines of one of both programs: to insert, or, where the variable of the CASE is known, as a whole file.
+pub fn write(user: &UserProgram, branches: &[Branch], variable: Option<&str>, words: Words) -> String {
+    let before = user.name == BEFORE.name;
+    let mut text = String::new();
+    if let Some(variable) = variable {
+        let _ = writeln!(text, "%_N_{}_SPF\n;$PATH=/_N_CUS_DIR\nPROC {}", user.name, user.name);
+        let jumps: Vec<String> = branches.iter().map(|branch| jump(branch.cycle)).collect();
+        let _ = writeln!(text, "CASE {variable} OF {} DEFAULT GOTOF _MEND", jumps.join(" "));
+    }
+    for branch in branches {
+        let (key, lines) = match before {
+            true => ("user-program-before-line", &branch.before),
+            false => ("user-program-behind-line", &branch.behind),
+        };
+        let _ = writeln!(text, "{}: ;{}", label(branch.cycle), words(key, branch.cycle));
+        for line in lines {
+            let _ = writeln!(text, "{line}");
+        }
+        text.push_str("M17\n");
+    }
+    if variable.is_some() {
+        text.push_str("_MEND:\nM17\n");
+    }
+    text
+}
+
+fn jump(cycle: &Cycle) -> String {
+    let number = cycle.name.trim_start_matches("CYCLE");
+    format!("{number} GOTOF {}", label(cycle))
+}
+
+/// The lines of a text; an error: one that cannot stand between label and M17, because it ends the program or cannot be
+/// written.
+///
+/// # Errors
+/// That line.
+pub fn lines(text: &str) -> Result<Vec<String>, String> {
+    let all = text.split(['\n', '|']).map(str::trim).filter(|line| !line.is_empty());
+    all.map(|line| if stands(line) { Ok(line.to_owned()) } else { Err(line.to_owned()) }).collect()
+}
+
+/// Most characters of a line.
+const LONGEST: usize = 500;
+
+fn stands(line: &str) -> bool {
+    let program = read(Dialect::Sinumerik, line.as_bytes());
+    let ends = |word: &Word| {
+        program.machine_function(word).is_some_and(|number| [2.0, 17.0, 30.0].contains(&number))
+            || program.is_keyword(word, &["RET", "PROC", "CASE"])
+    };
+    let named = program.words.iter().any(ends) || line.ends_with(':') || line.starts_with('%');
+    line.len() <= LONGEST && !named && !line.chars().any(char::is_control)
+}
+
+/// The parameters of a cycle that lines write: it would measure something else.
+pub fn changed(cycle: &'static Cycle, lines: &[String]) -> Vec<&'static str> {
+    let text = lines.join("\n");
+    let program = read(Dialect::Sinumerik, text.as_bytes());
+    let written = |name: &str| {
+        program.words.iter().any(|word| match &word.kind {
+            WordKind::Assign { name: place, .. } => program.is(*place, name),
+            _ => false,
+        })
+    };
+    let own = cycle.params.iter().filter(|param| !param.is_machine_datum()).map(|param| param.name.as_str());
+    own.filter(|name| written(name)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+    use crate::catalogue::find;
+    use crate::program::user_programs::{BEHIND, UserPrograms, callers};
+
+    fn branch(name: &str, before: &str, behind: &str) -> Branch {
+        let cycle = find(Dialect::Sinumerik, name).unwrap();
+        Branch { cycle, before: lines(before).unwrap(), behind: lines(behind).unwrap() }
+    }
+
+    fn words(key: &str, cycle: &Cycle) -> String {
+        format!("{key} {}", cycle.name)
+    }
+
+    #[test]
+    fn a_branch_is_written_between_label_and_m17() {
+        // oracle: manual B:2482-2508 (CASE, label of the cycle, its lines, M17)
+        let branches = [branch("CYCLE977", "M27|G4 F0.5", "M28"), branch("CYCLE978", "M27", "")];
+        let inserted = write(&BEFORE, &branches, None, &words);
+        assert_eq!(
+            inserted,
+            "_M977: ;user-program-before-line CYCLE977\nM27\nG4 F0.5\nM17\n\
+             _M978: ;user-program-before-line CYCLE978\nM27\nM17\n"
+        );
+        let whole = write(&BEHIND, &branches, Some("_X"), &words);
+        assert!(whole.contains("CASE _X OF 977 GOTOF _M977 978 GOTOF _M978 DEFAULT GOTOF _MEND\n"), "{whole}");
+        assert!(whole.starts_with("%_N_CYCLE199_SPF\n") && whole.ends_with("_MEND:\nM17\n"));
+        // what is written is found again around the calls of these cycles
+        let program = read(Dialect::Sinumerik, whole.as_bytes());
+        assert!(program.errors.is_empty(), "{:?}", program.errors);
+        let found = UserPrograms::of(&program);
+        let keys = |name: &str| -> Vec<String> {
+            let notes = found.around(find(Dialect::Sinumerik, name).unwrap());
+            notes.iter().map(|note| note.message.key.to_string()).collect()
+        };
+        assert_eq!(keys("CYCLE977"), ["user-program-runs-behind"]);
+        assert_eq!(keys("CYCLE979"), ["user-program-runs-behind-whole"]);
+        assert_eq!(keys("CYCLE116"), [""; 0]);
+    }
+
+    #[test]
+    fn each_caller_has_a_label_of_its_own() {
+        // oracle: manual B:2492 (_M977)
+        let labels: Vec<String> = callers().map(label).collect();
+        assert!(labels.contains(&"_M977".to_owned()) && labels.len() >= 13, "{labels:?}");
+        let once: std::collections::BTreeSet<_> = labels.iter().collect();
+        assert_eq!(once.len(), labels.len());
+    }
+
+    #[test]
+    fn lines_that_end_the_branch_are_refused() {
+        // oracle: hand
+        for wrong in ["M17", "M27\nM30", "RET", "_M977:", "PROC X", "CASE R1 OF 1 GOTOF A", "%_N_X_SPF"] {
+            assert!(lines(wrong).is_err(), "{wrong}");
+        }
+        assert_eq!(lines(" M27 |\n G4 F1 ").unwrap(), ["M27", "G4 F1"]);
+        let cycle = find(Dialect::Sinumerik, "CYCLE977").unwrap();
+        assert_eq!(changed(cycle, &lines("_SETVAL=5|R1=2").unwrap()), ["_SETVAL"]);
+    }
+}
