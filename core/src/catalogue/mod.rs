@@ -51,6 +51,7 @@ pub mod in_jog;
 pub(crate) mod lathe;
 pub(crate) mod list;
 pub(crate) mod logging;
+pub(crate) mod mean_value;
 pub mod nct;
 pub(crate) mod newer;
 pub(crate) mod older;

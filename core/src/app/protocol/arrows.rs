@@ -37,7 +37,7 @@ pub fn arrows(values: &BTreeMap<usize, Values>, outcome: &Outcome) -> Vec<Arrow>
         let touches: Vec<(Mcs, Dir<Mcs>)> = entries.iter().filter_map(touch).collect();
         let bodies = deviates(called, &entries, actual);
         let each = touches.len() / bodies.len().max(1);
-        if each == 0 || touches.len() % bodies.len() != 0 {
+        if each == 0 || !touches.len().is_multiple_of(bodies.len()) {
             continue; // nobody can tell which touch is whose
         }
         for (body, touches) in bodies.iter().zip(touches.chunks(each)) {

@@ -237,6 +237,7 @@ impl Argument {
 
 #[cfg(test)]
 mod tests {
+    #![allow(clippy::unwrap_used)]
     use super::*;
     use crate::catalogue::newer::LISTS;
 

@@ -1,3 +1,4 @@
+#![allow(clippy::unwrap_used)]
 use super::*;
 use crate::diagnostic::Diagnostic;
 use crate::program::change::apply;
