@@ -70,8 +70,8 @@ async function cycles(page) {
   }
 }
 
-// How certain a hole is, from 10,000 measurements: with a probe that scatters a quarter of them are made twice more, with
-// each of the two causes alone; and with a part out of round, which is the only cause then.
+// How certain a hole is, from 10,000 measurements: with a probe that scatters a quarter as many come on top for each of
+// the two causes alone; and with a part out of round, which is the only cause then.
 async function certainty(page) {
   const worked = (errors, asked) =>
     page.evaluate(

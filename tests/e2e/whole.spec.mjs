@@ -263,8 +263,8 @@ describe("the measurements of a whole program", () => {
     }
   });
 
-  // oracle: hand: without scatter nothing is uncertain; JCGM 100, eq. 10: two touches and two of the calibration make u of
-  // a diameter 2σ; it is 0.03 mm too large, which is its limit
+  // oracle: hand: without scatter nothing is uncertain; JCGM 100, eq. 10: two touches and two of the calibration make u
+  // of a diameter 2σ; it is 0.03 mm too large, which is its limit
   test("get their certainty on a machine whose probe scatters", async () => {
     const { context, page, problems } = await start(chrome);
     const certainty = page.getByRole("button", { name: "Certainty" });

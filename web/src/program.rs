@@ -95,8 +95,8 @@ pub fn series(request: &str) -> Result<String, JsError> {
     Ok(json::answer(request, |asked| app::series_of(asked, &mut |share| tell(share)))?)
 }
 
-/// `WholeCertaintyRequest` → `WholeCertainty`: how certain each measurement of a program is; it says on the way how far it
-/// is, as `read` does.
+/// `WholeCertaintyRequest` → `WholeCertainty`: how certain each measurement of a program is; it says on the way how far
+/// it is, as `read` does.
 ///
 /// # Errors
 /// A request of the wrong shape, or a machine that cannot be.

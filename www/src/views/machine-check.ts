@@ -4,11 +4,12 @@
 import "../styles/exported.css";
 import { html, nothing, render, type TemplateResult } from "lit-html";
 import type { ProgramCore } from "../core/program";
-import { el, on } from "../dom";
+import { el, on, setAttribute } from "../dom";
 import { saveFile } from "../state/files";
 import { say, sayProblem, t } from "../texts";
 import type { ExportedFile, MachineCheckView, MachineFault, Severity, Use } from "../wire";
 import { createBraking } from "./braking";
+import { passingDialog, showPassing } from "./passing";
 import { textOf } from "./protocol";
 
 const SEVERITIES: Severity[] = ["error", "warning", "note"];
@@ -117,13 +118,10 @@ export function openMachineCheck(core: () => ProgramCore | null, end: AbortSigna
   const printing = el("button", { type: "button", disabled: true }, t("exported-print"));
   const closing = el("button", { type: "button", class: "primary" }, t("exported-close"));
   const braking = createBraking(core, () => later());
-  const dialog = el(
-    "dialog",
-    { class: "exported", "aria-labelledby": "exported-title", "data-takes-files": true },
-    el("header", {}, el("h2", { id: "exported-title" }, t("exported-title"))),
-    el(
-      "div",
-      { class: "exported-body scroll", tabindex: "0", role: "region", "aria-labelledby": "exported-title" },
+  const dialog = passingDialog(
+    "exported-title",
+    t("exported-title"),
+    [
       el("p", { id: "exported-intro" }, t("exported-intro")),
       el("label", { for: "exported-text" }, t("exported-text")),
       text,
@@ -138,10 +136,11 @@ export function openMachineCheck(core: () => ProgramCore | null, end: AbortSigna
       braking.root,
       problem,
       list,
-    ),
-    el("div", { class: "actions" }, opening, saving, printing, closing),
-    picker,
+    ],
+    [opening, saving, printing, closing],
   );
+  dialog.append(picker);
+  setAttribute(dialog, "data-takes-files", "true");
   let files: ExportedFile[] = [];
   let view: MachineCheckView | null = null;
   let waiting = 0;
@@ -188,13 +187,6 @@ export function openMachineCheck(core: () => ProgramCore | null, end: AbortSigna
   });
   on(saving, "click", () => saveFile(view?.changes ?? "", "changes.tea"));
   on(printing, "click", () => view && printList(view));
-  on(closing, "click", () => dialog.close());
-  on(dialog, "close", () => {
-    clearTimeout(waiting);
-    dialog.remove();
-  });
-  end.addEventListener("abort", () => dialog.remove());
-  document.body.append(dialog);
-  dialog.showModal();
+  showPassing(dialog, closing, end, () => clearTimeout(waiting));
   text.focus();
 }

@@ -10,6 +10,7 @@ import { parseNumber, plain } from "../numbers";
 import { saveFile } from "../state/files";
 import { say, sayProblem, t } from "../texts";
 import type { Message, OwnMachine, RepeatRequest, RepeatView, Setup } from "../wire";
+import { passingDialog, showPassing } from "./passing";
 
 const NUMBERS = ["from", "to", "feed", "count", "parameters"] as const;
 const AXES = ["X", "Y", "Z"];
@@ -81,13 +82,10 @@ export function openRepeat(core: ProgramCore, setup: Setup | OwnMachine | undefi
     button: el("button", { type: "button", disabled: true }, t(`repeat-save-${name}`)),
   }));
   const closing = el("button", { type: "button", class: "primary" }, t("exported-close"));
-  const dialog = el(
-    "dialog",
-    { class: "exported", "aria-labelledby": "repeat-title" },
-    el("header", {}, el("h2", { id: "repeat-title" }, t("repeat-title"))),
-    el(
-      "div",
-      { class: "exported-body scroll", tabindex: "0", role: "region", "aria-labelledby": "repeat-title" },
+  const dialog = passingDialog(
+    "repeat-title",
+    t("repeat-title"),
+    [
       el("p", {}, t("repeat-intro")),
       el(
         "div",
@@ -101,8 +99,8 @@ export function openRepeat(core: ProgramCore, setup: Setup | OwnMachine | undefi
       values,
       problem,
       told,
-    ),
-    el("div", { class: "actions" }, ...saving.map(({ button }) => button), closing),
+    ],
+    [...saving.map(({ button }) => button), closing],
   );
   let view: RepeatView | null = null;
   let waiting = 0;
@@ -148,13 +146,6 @@ export function openRepeat(core: ProgramCore, setup: Setup | OwnMachine | undefi
       "click",
       () => view && saveFile(view[name], name === "program" ? "PW_REPEAT.MPF" : "PW_PROBE_CHECK.MPF"),
     );
-  on(closing, "click", () => dialog.close());
-  on(dialog, "close", () => {
-    clearTimeout(waiting);
-    dialog.remove();
-  });
-  end.addEventListener("abort", () => dialog.remove());
-  document.body.append(dialog);
-  dialog.showModal();
+  showPassing(dialog, closing, end, () => clearTimeout(waiting));
   draw();
 }

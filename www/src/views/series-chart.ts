@@ -72,7 +72,7 @@ function ticksOf(low: number, high: number): number[] {
   return Array.from({ length: Math.floor(high / step) - first + 1 }, (_, at) => (first + at) * step);
 }
 
-/** `runs`: how many parts; `room`: what there is for it, px; `title`: what it shows, also to those who do not see it. */
+/** `runs`: how many parts; `room`: what there is for it, px; `title`: what it shows, in words. */
 export function chart(
   title: string,
   parts: string,

@@ -149,6 +149,7 @@ function rowShown(
   });
   const typed = (name: "spread" | "mean" | "drift" | "follows", label: string): TemplateResult =>
     field(id(name), label, input(id(name), row[name], put(name)));
+  const values = row.values.map(one => plain(one)).join(" ");
   return html`<fieldset class="series-vary">
     <legend>${t("runs-vary", { number: at + 1 })}</legend>
     ${whatOf(id("what"), row, names, change)}
@@ -158,7 +159,7 @@ function rowShown(
     ${typed("drift", t("runs-drift"))}
     ${field(id("per"), t("runs-per"), per)}
     ${typed("follows", t("runs-follows"))}
-    ${row.values.length ? html`<p>${t("runs-values", { values: row.values.map(one => plain(one)).join(" ") })}</p>` : nothing}
+    ${values ? html`<p>${t("runs-values", { values })}</p>` : nothing}
     <button type="button" @click=${remove}>${t("runs-remove")}</button>
   </fieldset>`;
 }

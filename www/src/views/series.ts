@@ -8,6 +8,7 @@ import type { ProgramCore, SeriesQuestion } from "../core/program";
 import { el, on, show } from "../dom";
 import { say, sayProblem, t } from "../texts";
 import type { Series, SeriesStart, SeriesView } from "../wire";
+import { showPassing } from "./passing";
 import { PAPER_WIDTH } from "./series-chart";
 import { fieldsOf, seriesOf, type Typed, typedOf } from "./series-fields";
 import { endingOf, resultOf } from "./series-result";
@@ -144,23 +145,14 @@ export function openSeries(core: ProgramCore, asked: SeriesQuestion, end: AbortS
     run();
   });
   on(printing, "click", () => view && printResult(view));
-  on(shown.closing, "click", () => dialog.close());
   const wider = new ResizeObserver(drawResult);
-  on(dialog, "close", () => {
-    aside.stop();
-    wider.disconnect();
-    clearInterval(looking);
-    dialog.remove();
-  });
-  end.addEventListener("abort", () => {
-    aside.stop();
-    wider.disconnect();
-    dialog.remove();
-  });
   running.disabled = !asked.text.trim() || "why" in start;
   if (!asked.text.trim()) status.textContent = t("runs-no-program");
   draw();
-  document.body.append(dialog);
-  dialog.showModal();
+  showPassing(dialog, shown.closing, end, () => {
+    aside.stop();
+    wider.disconnect();
+    clearInterval(looking);
+  });
   wider.observe(result);
 }

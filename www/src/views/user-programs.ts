@@ -9,6 +9,7 @@ import { el, on } from "../dom";
 import { saveFile } from "../state/files";
 import { say, sayProblem, t } from "../texts";
 import type { UserProgramsRequest, UserProgramsView } from "../wire";
+import { passingDialog, showPassing } from "./passing";
 
 const SIDES = ["before", "behind"] as const;
 type Side = (typeof SIDES)[number];
@@ -53,13 +54,10 @@ export function openUserPrograms(core: ProgramCore, end: AbortSignal): void {
     button: el("button", { type: "button", disabled: true }, t("user-program-save", { name: FILES[side] })),
   }));
   const closing = el("button", { type: "button", class: "primary" }, t("exported-close"));
-  const dialog = el(
-    "dialog",
-    { class: "exported", "aria-labelledby": "user-program-title" },
-    el("header", {}, el("h2", { id: "user-program-title" }, t("user-program-title"))),
-    el(
-      "div",
-      { class: "exported-body scroll", tabindex: "0", role: "region", "aria-labelledby": "user-program-title" },
+  const dialog = passingDialog(
+    "user-program-title",
+    t("user-program-title"),
+    [
       el("p", {}, t("user-program-intro")),
       el(
         "fieldset",
@@ -72,8 +70,8 @@ export function openUserPrograms(core: ProgramCore, end: AbortSignal): void {
       variable,
       problem,
       told,
-    ),
-    el("div", { class: "actions" }, ...saving.map(({ button }) => button), closing),
+    ],
+    [...saving.map(({ button }) => button), closing],
   );
   let view: UserProgramsView | null = null;
   let waiting = 0;
@@ -97,12 +95,5 @@ export function openUserPrograms(core: ProgramCore, end: AbortSignal): void {
       waiting = window.setTimeout(draw, PAUSE);
     });
   for (const { side, button } of saving) on(button, "click", () => view && saveFile(view[side], FILES[side]));
-  on(closing, "click", () => dialog.close());
-  on(dialog, "close", () => {
-    clearTimeout(waiting);
-    dialog.remove();
-  });
-  end.addEventListener("abort", () => dialog.remove());
-  document.body.append(dialog);
-  dialog.showModal();
+  showPassing(dialog, closing, end, () => clearTimeout(waiting));
 }

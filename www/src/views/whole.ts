@@ -88,16 +88,13 @@ function bar({ gauge }: Row, certain: Certain | undefined): TemplateResult | str
   };
   const good = gauge.bands.filter(one => one.kind !== "bad");
   const [from, to] = [at(good[0]?.from ?? gauge.low), at(good[good.length - 1]?.to ?? gauge.high)];
+  const band = (value: number, by: number): string => `M${at(value - by)} 8H${at(value + by)}`;
   return html`<svg class="gauge deviation-bar" viewBox="0 0 96 16" aria-hidden="true">
     <rect class="band band-good" x=${from} y="4" width=${to - from} height="8"></rect>
     <line class="mark" x1=${at(0)} x2=${at(0)} y1="2" y2="14"></line>
     ${gauge.needles.map(
       one => svg`<g class=${`needle needle-${one.kind}`}>
-        ${
-          certain
-            ? svg`<path class="needle-certain" d=${`M${at(one.value - certain.expanded)} 8H${at(one.value + certain.expanded)}`}></path>`
-            : nothing
-        }
+        ${certain ? svg`<path class="needle-certain" d=${band(one.value, certain.expanded)}></path>` : nothing}
         <path d=${`M${at(0)} 8H${at(one.value)}`}></path><circle cx=${at(one.value)} cy="8" r="3"></circle>
       </g>`,
     )}
@@ -112,7 +109,8 @@ function limited(row: Row, certain: Certain | undefined): TemplateResult | strin
   const [low, high] = [limits.low, limits.high].map(one => amount(one, unit, true));
   const part = used(row);
   const told = part === null ? "" : t("whole-used", { share: Math.round(part * 100) });
-  return html`${bar(row, certain)}<span class="limits-text" title=${t("whole-between", { low: low ?? "", high: high ?? "" })}
+  const between = t("whole-between", { low: low ?? "", high: high ?? "" });
+  return html`${bar(row, certain)}<span class="limits-text" title=${between}
       >${limits.low === -limits.high ? `±${amount(limits.high, unit)}` : `${low} ${high}`}<b>${told}</b></span
     >`;
 }
@@ -136,6 +134,7 @@ function cells(
 ): Record<Column, unknown> {
   const main = mainFigures(row);
   const proof = certain?.proof(index);
+  const why = [say(row.why), proof ? provenOf(proof) : ""].filter(Boolean).join(" ");
   const off = main.map(one => (one.deviation === undefined ? "–" : amount(one.deviation, one.unit, true)));
   const size = (value: number | undefined, unit: string): string =>
     value === undefined ? "–" : `${amount(value, unit)}${unit === "deg" ? "°" : ""}`;
@@ -151,7 +150,7 @@ function cells(
     ),
     limits: limited(row, proof),
     deviation: lines(off.length ? off : ["–"]),
-    verdict: html`<span class="verdict" data-verdict=${row.verdict} title=${`${say(row.why)}${proof ? ` ${provenOf(proof)}` : ""}`} data-proof=${proof?.proof ?? nothing}
+    verdict: html`<span class="verdict" data-verdict=${row.verdict} data-proof=${proof?.proof ?? nothing} title=${why}
       >${iconPart(VERDICT_ICONS[row.verdict])}${say(row.verdict_words)}</span
     >`,
     corrects: certain ? correctedText(row) || t("bar-nothing") : "–",

@@ -85,8 +85,8 @@ impl Draws<'_> {
         setup
     }
 
-    /// By which factor the lengths of the part are larger than at the temperature for which its setpoints hold: it grows
-    /// alike in all directions, about its zero point.
+    /// By which factor the lengths of the part are larger than at the temperature for which its setpoints hold: it
+    /// grows alike in all directions, about its zero point.
     pub fn growth(&self, causes: &[Cause], run: u32) -> f64 {
         let temperature = &self.setup.temperature;
         if !causes.contains(&Cause::Temperature) {

@@ -89,6 +89,9 @@ fn certain(
     Ok(if view.calls.iter().any(|call| !call.figures.is_empty()) { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
 
+/// A chance that is smaller is not told as none.
+const LEAST: f64 = 0.0005;
+
 /// A value with its expanded uncertainty, what it proves, and what makes most of it.
 fn told(figure: &Certain, words: &Words) -> String {
     let rounded = |value: f64| format!("{value:.*}", figure.decimals as usize);
@@ -103,7 +106,11 @@ fn told(figure: &Certain, words: &Words) -> String {
         let message = Message::new("certainty-chances");
         let shares =
             [("good", chances.good), ("rework", chances.rework), ("scrap", chances.scrap), ("beyond", chances.beyond)];
-        shares.into_iter().fold(message, |message, (name, share)| message.number(name, percent(share)))
+        shares.into_iter().fold(message, |message, (name, share)| match share {
+            ..LEAST => message.text(name, "< 0.1"),
+            _ if share > 1.0 - LEAST => message.text(name, "> 99.9"),
+            _ => message.number(name, (share * 1000.0).round() / 10.0),
+        })
     });
     let largest = figure.budget.first().map(|part| {
         let source = words.text(&part.source);

@@ -1,0 +1,30 @@
+// A dialog that is made when it is opened and gone when it is closed: nothing of it is kept.
+
+import { el, on } from "../dom";
+
+type Child = Parameters<typeof el>[2];
+
+/** With its title, what scrolls, and its buttons; `id`: of the title, from which its other names come. */
+export function passingDialog(id: string, title: string, body: Child[], buttons: Child[]): HTMLDialogElement {
+  const scrolls = { class: "exported-body scroll", tabindex: "0", role: "region", "aria-labelledby": id };
+  return el(
+    "dialog",
+    { class: "exported", "aria-labelledby": id },
+    el("header", {}, el("h2", { id }, title)),
+    el("div", scrolls, ...body),
+    el("div", { class: "actions" }, ...buttons),
+  );
+}
+
+/** Shows it until it is closed, or the page ends; `gone`: what then ends with it. */
+export function showPassing(dialog: HTMLDialogElement, closing: HTMLElement, end: AbortSignal, gone: () => void): void {
+  const drop = (): void => {
+    gone();
+    dialog.remove();
+  };
+  on(closing, "click", () => dialog.close());
+  on(dialog, "close", drop);
+  end.addEventListener("abort", drop);
+  document.body.append(dialog);
+  dialog.showModal();
+}
