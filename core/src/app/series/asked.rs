@@ -145,7 +145,7 @@ pub(in crate::app) fn prepared(mut asked: SeriesRequest) -> Result<Prepared, Err
 /// Runs a program many times. `told`: hears which share is done.
 ///
 /// # Errors
-/// Those of [`prepared`].
+/// The machine cannot be, a number of the series is beyond its range, or it names nothing of the machine.
 pub fn series_of(asked: SeriesRequest, told: &mut dyn FnMut(f64)) -> Result<SeriesView, Error> {
     Ok(series(&prepared(asked)?, told))
 }
