@@ -1,8 +1,6 @@
 # Protokolle einer wirklichen Maschine.
 
 protocol-title = Protokoll der Maschine
-protocol-open = Von der Maschine
-protocol-open-hint = Messprotokoll der Steuerung oder Tabelle (CSV) des wirklichen Teils lesen und die Werte den Aufrufen zuordnen.
 protocol-of = Auf der Maschine gemessen: { $name }
 protocol-busy = Wird gelesen …
 protocol-close = Zurück zur Simulation

@@ -1,8 +1,6 @@
 # Ein Programm, das viele Male läuft.
 
 runs-title = Serie von Teilen
-runs-open = Serie
-runs-open-hint = Dieses Programm für viele Teile ausführen, mit dem, was streut.
 runs-intro = Führt das offene Programm auf der verwendeten Maschine aus, Teil nach Teil. Geben Sie an, was von Teil zu Teil streut; alles andere bleibt gleich.
 runs-count = Teile
 runs-seed = Startwert

@@ -1,8 +1,6 @@
 # Protocols of a real machine.
 
 protocol-title = Protocol of the machine
-protocol-open = From the machine
-protocol-open-hint = Read the log of the control or a table (CSV) of the real part, and lay its values onto calls and part.
 protocol-of = Measured on the machine: { $name }
 protocol-busy = Reading …
 protocol-close = Back to the simulation

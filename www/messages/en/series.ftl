@@ -1,8 +1,6 @@
 # A program that is run many times.
 
 runs-title = Series of parts
-runs-open = Series
-runs-open-hint = Run this program for many parts, with what varies.
 runs-intro = Runs the open program on the machine in use, part after part. Say what varies from part to part; all else stays the same.
 runs-count = Parts
 runs-seed = Seed

@@ -1,8 +1,6 @@
 # 真实机床的测量记录。
 
 protocol-title = 机床的测量记录
-protocol-open = 来自机床
-protocol-open-hint = 读入真实零件的控制系统测量记录或表格（CSV），并将数值对应到调用和零件上。
 protocol-of = 机床实测：{ $name }
 protocol-busy = 正在读取…
 protocol-close = 返回模拟

@@ -1,8 +1,6 @@
 # 多次运行的程序。
 
 runs-title = 批量工件
-runs-open = 批量
-runs-open-hint = 按各量的分散，对许多工件运行此程序。
 runs-intro = 在所用机床上逐个工件运行打开的程序。请指定各工件之间哪些量变化，其余保持不变。
 runs-count = 工件数
 runs-seed = 种子

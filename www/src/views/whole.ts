@@ -166,6 +166,9 @@ function indexAt(rows: Row[], step: number): number {
   return rows.findLastIndex(one => one.from <= step);
 }
 
+/** The word on a button, which a narrow panel leaves to the icon. */
+const label = (text: string): HTMLElement => el("span", { class: "whole-label" }, text);
+
 /** What the table needs of the page. */
 export interface WholeWays extends ProtocolWays, CertainWays {
   paper(which: "record", shown: RecordShown): void;
@@ -183,7 +186,12 @@ export function createWhole(
   const saving = (way: "csv" | "json"): HTMLButtonElement =>
     el("button", { type: "button", title: t(`whole-${way}-hint`) }, icon("download"), t(`whole-${way}`));
   const [asTable, asDocument] = [saving("csv"), saving("json")];
-  const onPaper = el("button", { type: "button", title: t("whole-print-hint") }, icon("print"), t("whole-print"));
+  const onPaper = el(
+    "button",
+    { type: "button", title: t("whole-print-hint") },
+    icon("print"),
+    label(t("whole-print")),
+  );
   const head = el("div", { class: "whole-head", role: "row" });
   const space = el("div", { class: "whole-space", role: "rowgroup" });
   const table = el(
@@ -193,8 +201,13 @@ export function createWhole(
     space,
   );
   const error = el("p", { class: "whole-error", role: "note" });
-  const real = el("button", { type: "button", title: t("protocol-open-hint") }, icon("open"), t("protocol-open"));
-  const series = el("button", { type: "button", title: t("runs-open-hint") }, icon("dice"), t("runs-open"));
+  const real = el(
+    "button",
+    { type: "button", title: t("protocol-open-hint") },
+    icon("open"),
+    label(t("protocol-open")),
+  );
+  const series = el("button", { type: "button", title: t("runs-open-hint") }, icon("dice"), label(t("runs-open")));
   const certain = createWholeCertain(ways, () => rows(), drawRows);
   const buttons = [worst, asTable, asDocument, certain.button, series, onPaper, real];
   const top = el("div", { class: "whole-top" }, el("h3", {}, t("whole-title")), counts, ...buttons);
