@@ -18,8 +18,9 @@ const INPUTS = ["", "1", "2"]; // the first: as the machine has it
 const PAUSE = 200; // ms, while one types
 const [WIDTH, HEIGHT] = [300, 80]; // of the histogram
 
-/** How many values lie in each interval. */
-function histogram({ found, unit }: RepeatView): TemplateResult {
+/** How many values lie in each interval; where all are the same there is nothing to see. */
+function histogram({ found, unit }: RepeatView): TemplateResult | typeof nothing {
+  if (found.largest === found.smallest) return nothing;
   const most = Math.max(...found.intervals, 1);
   const step = WIDTH / found.intervals.length;
   const bars = found.intervals.map((count, at) => {
