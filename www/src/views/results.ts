@@ -22,14 +22,23 @@ import type { WholeWays } from "./whole";
 const TABS: ResultTab[] = ["outcome", "problems", "motions", "log", "scan"];
 type Draw = (state: State, derived: Derived) => void;
 
+const PIECE = 500; // lines, as the style sheet has it
+
+/** The first lines of a text, in pieces of which the full ones are laid out when they come into sight. */
+function piecesOf(lines: readonly string[], count = lines.length): TemplateResult[] {
+  return Array.from({ length: Math.ceil(count / PIECE) }, (_, at) => {
+    const [from, to] = [at * PIECE, Math.min(count, (at + 1) * PIECE)];
+    return html`<span class=${to - from === PIECE ? "log-piece" : "log-rest"}>${lines.slice(from, to).join("\n")}</span>`;
+  });
+}
+
 /** A file of the control as it is at a step; below it what it will have later. */
 function fileAt({ name, lines, at }: WrittenFile, step: number): TemplateResult {
   const shown = at.findIndex(entry => entry > step);
   const count = shown < 0 ? lines.length : shown;
-  const text = lines.slice(0, count).join("\n");
   return html`<section class="log-file" data-file=${name}>
     <h3>${name} <span class="figure">${t("log-lines", { shown: count, count: lines.length })}</span></h3>
-    <pre class="log" tabindex="0" aria-label=${name} ?hidden=${count === 0}>${text}</pre>
+    <pre class="log" tabindex="0" aria-label=${name} ?hidden=${count === 0}>${piecesOf(lines, count)}</pre>
     <div class="actions">
       <button type="button" @click=${() => saveFile(lines.map(line => `${line}\n`).join(""), name)}>
         ${t("log-save-file", { name })}
@@ -44,13 +53,12 @@ function createLog(root: HTMLElement): Draw {
     const outcome = shownOutcome(state, derived);
     const [log, written] = [outcome?.log ?? [], outcome?.written ?? []];
     const none = log.length === 0;
-    const text = log.join("\n");
     render(
       html`<p class="empty" ?hidden=${!none || written.length > 0}>${t("log-none")}</p>
         ${written.map(file => fileAt(file, derived.step))}
-        <pre class="log" tabindex="0" aria-label=${t("tab-log")} ?hidden=${none}>${text}</pre>
+        <pre class="log" tabindex="0" aria-label=${t("tab-log")} ?hidden=${none}>${piecesOf(log)}</pre>
         <div class="actions" ?hidden=${none}>
-          <button type="button" @click=${() => saveFile(`${text}\n`, "print.txt")}>${t("log-save")}</button>
+          <button type="button" @click=${() => saveFile(`${log.join("\n")}\n`, "print.txt")}>${t("log-save")}</button>
         </div>`,
       root,
     );
