@@ -28,7 +28,8 @@ const PIECE = 500; // lines, as the style sheet has it
 function piecesOf(lines: readonly string[], count = lines.length): TemplateResult[] {
   return Array.from({ length: Math.ceil(count / PIECE) }, (_, at) => {
     const [from, to] = [at * PIECE, Math.min(count, (at + 1) * PIECE)];
-    return html`<span class=${to - from === PIECE ? "log-piece" : "log-rest"}>${lines.slice(from, to).join("\n")}</span>`;
+    const kind = to - from === PIECE ? "log-piece" : "log-rest";
+    return html`<span class=${kind}>${lines.slice(from, to).join("\n")}</span>`;
   });
 }
 
