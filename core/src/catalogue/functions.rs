@@ -55,17 +55,21 @@ impl Functions {
         Functions(std::array::from_fn(|index| control.number(&parameter(index))))
     }
 
+    /// Places of the macros that a function calls on this machine.
+    fn calling(&self, code: f64) -> impl Iterator<Item = usize> {
+        (0..MACROS).filter(move |index| code >= OWN && self.0.get(*index) == Some(&code))
+    }
+
     /// What a function calls on this machine.
     pub fn called(&self, code: f64) -> Option<Calls> {
-        let mut all = (0..MACROS).filter(|index| code >= OWN && self.0.get(*index) == Some(&code));
+        let mut all = self.calling(code);
         let first = all.next()?;
         Some(Calls { cycle: named(first)?, parameter: parameter(first), also: all.next().map(parameter) })
     }
 
     /// The macro that a function calls on this machine.
     pub fn cycle(&self, code: f64) -> Option<&'static Cycle> {
-        let index = (0..MACROS).find(|index| code >= OWN && self.0.get(*index) == Some(&code))?;
-        named(index)
+        self.calling(code).next().and_then(named)
     }
 
     /// Of a function that calls nothing here: the macro that has it as the manual sets the parameters, and the

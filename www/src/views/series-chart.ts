@@ -34,7 +34,7 @@ function span(lines: readonly Line[]): [number, number] {
   return [low - air, high + air];
 }
 
-/** The path of a line, interrupted where there is no value; a step a part where it counts from part to part. */
+/** The path of a line, interrupted where there is no value. */
 function path(values: readonly (number | null)[], x: (part: number) => number, y: (value: number) => number): string {
   let drawn = "";
   let down = false;

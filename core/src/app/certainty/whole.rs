@@ -1,6 +1,6 @@
 //! How certain each measurement of a program is: the program many times.
 
-use super::{Certain, Draws, Spread, alone, budget, causes::Cause, certain, grown};
+use super::{Certain, Draws, MOST, Spread, alone, budget, causes::Cause, certain, grown};
 use crate::app::answer::Figure;
 use crate::app::beside::Beside;
 use crate::app::run::{OfCall, RunAnswer, answers};
@@ -57,7 +57,6 @@ pub struct CallCertainty {
 
 /// Runs whose share of good parts is right to some percent.
 const RUNS: u32 = 400;
-const MOST: u32 = 10_000;
 
 /// Carries out a program many times. `told`: hears which share is done.
 ///
