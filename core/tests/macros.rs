@@ -73,7 +73,7 @@ fn picks() -> impl Strategy<Value = Vec<(prop::sample::Index, prop::sample::Inde
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(96))]
+    #![proptest_config(ProptestConfig::with_cases(512))]
 
     // oracle: peer (the same program without macros)
     #[test]

@@ -15,6 +15,13 @@ pub(super) fn places(program: &Program, span: Span) -> Vec<Span> {
     args.iter().map(|id| program.place(*id)).collect()
 }
 
+/// Place and text of each argument, as the control reads it: with what macros say; no text where one is omitted.
+pub(super) fn texts(program: &Program, span: Span) -> Vec<(Span, String)> {
+    let Some(WordKind::Call { args, .. }) = program.word_at(span).map(|word| &word.kind) else { return Vec::new() };
+    let text = |id| program.given(id).map_or_else(String::new, |id| program.said_of(id).trim().to_owned());
+    args.iter().map(|id| (program.place(*id), text(*id))).collect()
+}
+
 /// Whether a place is an argument of a call.
 pub(super) fn is_argument(program: &Program, place: Span) -> bool {
     program.word_at(place).is_some_and(|word| word.called().is_some())
@@ -27,8 +34,7 @@ pub(super) fn is_auxiliary(program: &Program, place: Span) -> bool {
 
 /// Arguments of the list of a newer control that have no counterpart here and say something, by their names there.
 pub(crate) fn only_newer(program: &Program, list: &'static ArgumentList, call: Span) -> Vec<(&'static str, String)> {
-    let said = Argument::all(list).zip(places(program, call)).filter_map(|(argument, place)| {
-        let text = program.written(place);
+    let said = Argument::all(list).zip(texts(program, call)).filter_map(|(argument, (_, text))| {
         let nothing = text.is_empty() || text == "\"\"" || text.parse() == Ok(0.0) || text == USUAL_MODE;
         let mode = matches!(argument.name, "_DMODE" | "_AMODE");
         let says = argument.param.is_none() && !(nothing && (mode || text != USUAL_MODE));

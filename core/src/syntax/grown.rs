@@ -17,6 +17,8 @@ pub struct Replaced {
     shared: BTreeSet<(u32, u32)>,
     /// Where the texts lie of words that could not be read, by the place where they begin.
     unread: BTreeMap<u32, Span>,
+    /// Where the texts lie of expressions of which macros say a part.
+    said: BTreeMap<ExprId, Span>,
 }
 
 impl Program {
@@ -45,6 +47,11 @@ impl Program {
     /// A word that could not be read, in upper case, with what its macros say.
     pub fn said(&self, word: &Word) -> String {
         self.name(self.replaced.unread.get(&word.span.start).copied().unwrap_or(word.span))
+    }
+
+    /// The text of an expression with what its macros say: what the control reads.
+    pub fn said_of(&self, id: ExprId) -> String {
+        self.written(self.replaced.said.get(&id).copied().unwrap_or_else(|| self.place(id)))
     }
 
     /// Whether a macro stands at a place that says more than the value that is read there: it cannot be written anew.
@@ -113,19 +120,26 @@ pub(super) fn take(tree: &mut Program, mut line: Program, text: &Line, comment: 
     let (moved, beyond) = (tree.exprs.len() as ExprId, tree.beyond());
     let map = Map { pieces: &pieces, from };
     let within = |span: Span| Span { start: from + span.start, end: from + span.end };
+    let behind = |span: Span| Span { start: beyond + span.start, end: beyond + span.end };
     let place = |span: Span| map.hull(within(span));
     let name = |span: Span| {
         let span = within(span);
-        map.exact(span).unwrap_or(Span { start: beyond + span.start, end: beyond + span.end })
+        map.exact(span).unwrap_or(behind(span))
     };
     share(tree, &line, &map, &within);
+    let numbers = line.exprs.iter().zip(0..).filter_map(|(expr, id)| match expr {
+        Expr::Number(_, span) => Some((id, *span)),
+        _ => None,
+    });
+    let said = line.places.iter().copied().chain(numbers).map(|(id, span)| (id, within(span)));
+    let said = said.filter(|(_, span)| map.exact(*span).is_none());
+    tree.replaced.said.extend(said.map(|(id, span)| (moved + id, behind(span))));
     for expr in &mut line.exprs {
         grow(expr, moved, &place, &name);
     }
     for word in line.words.iter().filter(|word| word.kind == WordKind::Unknown) {
         let span = within(word.span);
-        let text = Span { start: beyond + span.start, end: beyond + span.end };
-        tree.replaced.unread.insert(map.hull(span).start, text);
+        tree.replaced.unread.insert(map.hull(span).start, behind(span));
     }
     tree.exprs.append(&mut line.exprs);
     tree.places.extend(line.places.into_iter().map(|(id, span)| (id + moved, place(span))));

@@ -83,7 +83,8 @@ fn shifted(program: &Program, call: &ListCall) -> Option<Diagnostic> {
     let (sentence, places) = if lost.is_empty() { (own::NEWER_MANY, &many) } else { (own::NEWER_LOST, &lost) };
     let (at, _) = places.first()?;
     let finding = sentence.finding().number("place", *at as f64 + 1.0).on(call.span);
-    if places.len() > 1 || program.is_of_macro(call.span) {
+    let mut all = call.arguments.iter().map(|argument| argument.place).chain([call.span]);
+    if places.len() > 1 || all.any(|place| program.is_of_macro(place)) {
         return Some(finding);
     }
     let argument = call.arguments.get(*at)?;

@@ -3,7 +3,7 @@
 
 pub mod findings;
 
-use super::arguments::{places, put};
+use super::arguments::{put, texts};
 use super::change::Edit;
 use crate::catalogue::newer::LISTS;
 use crate::catalogue::newer::arguments::Argument;
@@ -28,7 +28,7 @@ pub struct ListArgument {
     pub argument: Argument,
     /// Its place; empty where it is omitted.
     pub place: Span,
-    /// As it is written; empty where it is omitted.
+    /// What the control reads there: with what macros say; empty where it is omitted.
     pub text: String,
 }
 
@@ -59,19 +59,18 @@ pub fn list_call(program: &Program, word: &Word) -> Option<ListCall> {
         return None; // the bare name takes assignments
     }
     let list = LISTS.iter().find(|list| program.is(*name, list.name))?;
-    let arguments = places(program, word.span).into_iter().enumerate();
-    let arguments = arguments.map(|(index, place)| ListArgument {
-        argument: Argument::at(list, index),
-        place,
-        text: program.written(place).trim().to_owned(),
-    });
+    let arguments = texts(program, word.span).into_iter().enumerate();
+    let arguments =
+        arguments.map(|(index, (place, text))| ListArgument { argument: Argument::at(list, index), place, text });
     Some(ListCall { list, span: word.span, arguments: arguments.collect() })
 }
 
 /// The edit that gives an argument this text; an empty one omits it. None: nothing changes, or it is no single one.
 pub fn set(program: &Program, call: &ListCall, index: usize, text: &str) -> Option<Edit> {
     let text = text.trim();
-    let own = !program.is_of_macro(call.span) && is_one_argument(text);
+    let shared = |place: Span| program.is_of_macro(place);
+    let own = !shared(call.span) && !call.arguments.get(index).is_some_and(|one| shared(one.place));
+    let own = own && is_one_argument(text);
     own.then(|| put(program, call.span, index, text))?
 }
 

@@ -120,6 +120,23 @@ fn published_calls_have_no_fault() {
     }
 }
 
+// oracle: peer (the same call written out); self: a macro of several arguments is not cut in two
+#[test]
+fn a_call_in_a_macro_is_the_call_written_out() {
+    let lost = "CYCLE977(101,1,1,132,,,2,1)";
+    assert_eq!(faults(lost), ["newer-lost"]);
+    let defined =
+        |name: &str, text: &str, rest: &str| format!("%_N_UMAC_DEF\nDEFINE {name} AS {text}\n%_N_A_MPF\n{rest}\n");
+    for (text, rest) in [(lost, "QQ"), ("132", "CYCLE977(101,1,1,QQ,,,2,1)"), ("1,1,132", "CYCLE977(101,QQ,,,2,1)")] {
+        let named = defined("QQ", text, rest);
+        assert_eq!(faults(&named), ["newer-lost"], "{named}");
+        let parts = text.contains(',');
+        assert_eq!(findings(&program(&named)).iter().any(|one| one.cure.is_some()), !parts, "{named}");
+    }
+    let call = list_calls(&program(&defined("QQ", "1,132", "CYCLE977(101,,QQ,,,2,1)")))[0].arguments.len();
+    assert_eq!(call, 8);
+}
+
 // oracle: peer (posts in which an argument is missing, in which the path is multiplied by 25.4, in which 1003 corrects
 // a zero offset); hand: what the call has to be
 #[test]
