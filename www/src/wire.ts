@@ -452,7 +452,7 @@ export type CertaintyRequest = {
   form: FormRequest,
   /** How many measurements, up to 10 000; absent: 1000. */
   runs?: number,
-  /** Seed of all random numbers; absent: 1. */
+  /** Seed of all random numbers; absent: that of the machine's series. */
   seed?: number,
 };
 
@@ -3616,8 +3616,10 @@ export type View = "plane" | "section";
 
 /** How certain the measurements of a program are. */
 export type WholeCertainty = {
-  /** How many runs; 0: nothing spreads, or nothing is measured. */
+  /** How many runs; 0: nothing is known. */
   runs: number,
+  /** Why nothing is known. */
+  nothing?: Message,
   /** Share of them that did not come to the end. */
   stopped: number,
   /** For each measuring call of the run, in order. */
@@ -3638,7 +3640,7 @@ export type WholeCertaintyRequest = {
   with?: Array<Beside>,
   /** How many runs, up to 10 000; absent: 400. */
   runs?: number,
-  /** Seed of all random numbers; absent: 1. */
+  /** Seed of all random numbers; absent: that of the machine's series. */
   seed?: number,
 };
 

@@ -26,6 +26,7 @@ certainty-proof-bad = Nachweislich schlecht.
 certainty-chances = gut { $good } %, Nacharbeit { $rework } %, Ausschuss { $scrap } %, außerhalb der Grenzen { $beyond } %
 certainty-largest = Größter Beitrag: { $source }, { $share } %.
 certainty-runs = Aus { $runs } Läufen.
+certainty-no-call = Das Programm misst nichts, dessen Unsicherheit sich angeben ließe.
 certainty-nothing = Nichts streut: Geben Sie dem Messtaster seine Wiederholgenauigkeit, dem Teil seinen Formfehler oder seine Temperatur.
 
 series-choose-order = Wählen Sie _TZL < _TMV < Toleranzgrenzen < _TDIF < _TSA. Dann trifft jede Abweichung auf die Grenze, die für sie gedacht ist.

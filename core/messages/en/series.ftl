@@ -26,6 +26,7 @@ certainty-proof-bad = Proven bad.
 certainty-chances = good { $good } %, rework { $rework } %, scrap { $scrap } %, beyond the limits { $beyond } %
 certainty-largest = Largest contribution: { $source }, { $share } %.
 certainty-runs = From { $runs } runs.
+certainty-no-call = The program measures nothing whose certainty could be told.
 certainty-nothing = Nothing spreads: give the probe its repeatability, the part its form error or its temperature.
 
 series-choose-order = Choose _TZL < _TMV < tolerance limits < _TDIF < _TSA. Then each deviation meets the limit that is meant for it.

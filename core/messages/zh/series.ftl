@@ -26,6 +26,7 @@ certainty-proof-bad = 证明不合格。
 certainty-chances = 合格 { $good } %，返工 { $rework } %，报废 { $scrap } %，超出限值 { $beyond } %
 certainty-largest = 最大来源：{ $source }，{ $share } %。
 certainty-runs = 共运行 { $runs } 次。
+certainty-no-call = 程序没有测量任何可给出不确定度的值。
 certainty-nothing = 没有分散：请给出测头的重复性、工件的形状误差或温度。
 
 series-choose-order = 按 _TZL < _TMV < 公差限 < _TDIF < _TSA 选择，使每个偏差由对应的限值处理。

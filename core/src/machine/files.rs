@@ -22,11 +22,18 @@ const TYPES: [&str; 2] = ["MPF", "SPF"];
 /// The files of a run.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Files {
-    all: BTreeMap<String, Vec<String>>,
+    all: BTreeMap<String, File>,
     /// The main program, which cannot be written.
     running: Option<String>,
     /// How often something changed: what decides over the future of a run compares this instead of the lines.
     changes: u64,
+}
+
+/// A file: its lines, and how many characters they are, so that a long one is not counted again for each line.
+#[derive(Clone, Debug, Default, PartialEq)]
+struct File {
+    lines: Vec<String>,
+    size: usize,
 }
 
 impl Files {
@@ -43,13 +50,15 @@ impl Files {
     /// Makes an empty file; one of this name is deleted.
     pub fn create(&mut self, name: &str) {
         self.changes += 1;
-        self.all.insert(name.to_owned(), Vec::new());
+        self.all.insert(name.to_owned(), File::default());
     }
 
     /// Adds a line; a file that is not there is made.
     pub fn write(&mut self, name: &str, line: String) {
         self.changes += 1;
-        self.all.entry(name.to_owned()).or_default().push(line);
+        let file = self.all.entry(name.to_owned()).or_default();
+        file.size += length(&line);
+        file.lines.push(line);
     }
 
     /// Deletes a file; false: it is not there.
@@ -61,17 +70,17 @@ impl Files {
 
     /// The lines of a file; none: it is not there.
     pub fn lines(&self, name: &str) -> Option<&[String]> {
-        self.all.get(name).map(Vec::as_slice)
+        self.all.get(name).map(|file| file.lines.as_slice())
     }
 
     /// Characters of a file, each line with its end.
     pub fn size(&self, name: &str) -> usize {
-        self.lines(name).unwrap_or_default().iter().map(|line| length(line)).sum()
+        self.all.get(name).map_or(0, |file| file.size)
     }
 
     /// All of them by name.
     pub fn iter(&self) -> impl Iterator<Item = (&str, &[String])> {
-        self.all.iter().map(|(name, lines)| (name.as_str(), lines.as_slice()))
+        self.all.iter().map(|(name, file)| (name.as_str(), file.lines.as_slice()))
     }
 
     /// How often something changed.

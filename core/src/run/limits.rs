@@ -8,8 +8,8 @@ use crate::problem::Problem;
 /// Levels of subprograms: a SINUMERIK has 12 with the main program.
 const DEPTH: usize = 11;
 /// Entries of the trace, of less than 200 bytes each, beside the motions of the program itself: a thousand calls make
-/// up to 150,000.
-const TRACE: usize = 400_000;
+/// up to 150,000, ten thousand holes 510,000.
+const TRACE: usize = 600_000;
 /// Motions of the program itself, of 37 bytes each.
 const OWN: usize = 2_000_000;
 /// What the program itself writes and shows beside them.
@@ -22,6 +22,9 @@ const DATA: usize = 1_000_000;
 const BETWEEN: usize = 4096;
 /// Work that nobody watches or can stop, in blocks, beyond that of the text from its beginning to its end.
 const UNWATCHED: u64 = 100_000;
+
+/// What is told of a program that does not come to an end.
+pub const NO_END: &str = "run-steps";
 
 /// When a run is given up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -75,7 +78,7 @@ impl Limits {
 /// Whether one more block may be carried out.
 pub fn room(run: &Interpreter, place: Option<Span>) -> Result<(), Problem> {
     let Some(limit) = run.limits.steps.filter(|limit| run.work >= *limit) else { return Ok(()) };
-    Err(Problem::at("run-steps", place.unwrap_or_default()).number("limit", limit as f64))
+    Err(Problem::at(NO_END, place.unwrap_or_default()).number("limit", limit as f64))
 }
 
 /// Whether what the program wrote has room; from time to time it is counted.

@@ -1,6 +1,7 @@
 //! What came out of a run, put the way a page or a terminal shows it.
 
 use super::called::Called;
+use super::limits::NO_END;
 use super::of_machine::MachineValue;
 use crate::control::{Control, Value, gud, nct_data};
 use crate::diagnostic::{Code, Diagnostic};
@@ -69,6 +70,14 @@ impl Outcome {
     /// Whether the run reached its end.
     pub fn finished(&self) -> bool {
         self.stop.is_none()
+    }
+
+    /// Why it was given up where it did not come to an end: another run takes as long, and tells nothing.
+    pub fn given_up(&self) -> Option<&Message> {
+        match &self.stop {
+            Some(Stop::Fault(message)) if message.key == NO_END => Some(message),
+            _ => None,
+        }
     }
 
     /// How the run ended: at its end or before, and what it went on without. `place`: the file that holds a line of

@@ -732,7 +732,6 @@ whole-certain = Sicherheit
 whole-certain-hint = Das Programm viele Male ausführen: wie sicher jeder Wert ist und was er beweist
 whole-certain-stop = Abbrechen
 whole-certain-busy = Das Programm läuft viele Male: { $share } %
-whole-certain-nothing = Hier streut nichts: Geben Sie dem Messtaster seine Wiederholgenauigkeit, dem Teil seinen Formfehler oder seine Temperatur.
 whole-certain-told = Nachweislich gut: { $good }. Weder gut noch schlecht: { $undecided }. Nachweislich schlecht: { $bad }. Aus { $runs } Läufen.
 runs-open = Serie
 runs-open-hint = Dieses Programm für viele Teile ausführen, mit dem, was streut.

@@ -720,7 +720,6 @@ whole-certain = Certainty
 whole-certain-hint = Run the program many times: how certain each value is, and what it proves
 whole-certain-stop = Stop
 whole-certain-busy = The program is run many times: { $share }%
-whole-certain-nothing = Nothing spreads here: give the probe its repeatability, the part its form error or its temperature.
 whole-certain-told = Proven good: { $good }. Neither good nor bad: { $undecided }. Proven bad: { $bad }. From { $runs } runs.
 runs-open = Series
 runs-open-hint = Run this program for many parts, with what varies.

@@ -704,7 +704,6 @@ whole-certain = 可靠性
 whole-certain-hint = 多次运行程序：每个值的可靠程度及其能证明什么
 whole-certain-stop = 停止
 whole-certain-busy = 正在多次运行程序：{ $share } %
-whole-certain-nothing = 这里没有分散：请给出测头的重复性、工件的形状误差或温度。
 whole-certain-told = 证明合格：{ $good }。无法判定：{ $undecided }。证明不合格：{ $bad }。共运行 { $runs } 次。
 runs-open = 批量
 runs-open-hint = 按各量的分散，对许多工件运行此程序。

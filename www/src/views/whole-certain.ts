@@ -6,7 +6,7 @@ import type { ProgramCore, ProgramQuestion } from "../core/program";
 import { el, on, setText, show } from "../dom";
 import { icon } from "../icons";
 import { fixed } from "../numbers";
-import { sayProblem, t } from "../texts";
+import { say, sayProblem, t } from "../texts";
 import type { Certain, RunView, WholeCertainty } from "../wire";
 
 type Row = RunView["answers"][number];
@@ -41,7 +41,7 @@ export function createWholeCertain(ways: CertainWays, rows: () => Row[], changed
   const status = el("p", { class: "whole-certain", role: "status", hidden: true });
   let known: WholeCertainty | null = null;
   let looking = 0;
-  const say = (text: string): void => {
+  const report = (text: string): void => {
     setText(status, text);
     show(status, text !== "");
   };
@@ -52,8 +52,8 @@ export function createWholeCertain(ways: CertainWays, rows: () => Row[], changed
   };
   const proof = (index: number): Certain | undefined => known?.calls[index]?.figures.find(one => one.proof);
   /** How much of it is proven. */
-  const told = ({ runs }: WholeCertainty): string => {
-    if (runs === 0) return t("whole-certain-nothing");
+  const told = ({ runs, nothing }: WholeCertainty): string => {
+    if (nothing) return say(nothing);
     const judged = rows().flatMap((_, index) => proof(index)?.proof ?? []);
     const count = (which: Certain["proof"]): number => judged.filter(one => one === which).length;
     const counts = { good: count("good"), undecided: count("undecided"), bad: count("bad") };
@@ -64,7 +64,7 @@ export function createWholeCertain(ways: CertainWays, rows: () => Row[], changed
     if (!answered) return;
     over();
     known = answered.json === undefined ? null : (JSON.parse(answered.json) as WholeCertainty);
-    say(known ? told(known) : sayProblem(answered.problem ?? ""));
+    report(known ? told(known) : sayProblem(answered.problem ?? ""));
     changed();
   }
   const ask = (): void => {
@@ -72,14 +72,14 @@ export function createWholeCertain(ways: CertainWays, rows: () => Row[], changed
     if (!asked) return;
     aside.want({ ask: "whole_certainty", ...asked });
     setText(word, t("whole-certain-stop"));
-    const look = (): void => say(t("whole-certain-busy", { share: Math.floor(100 * (aside.busy()?.share ?? 0)) }));
+    const look = (): void => report(t("whole-certain-busy", { share: Math.floor(100 * (aside.busy()?.share ?? 0)) }));
     look();
     looking = window.setInterval(look, LOOK);
   };
   const stop = (): void => {
     aside.stop();
     over();
-    say("");
+    report("");
   };
   on(button, "click", () => (aside.busy() ? stop() : ask()));
   return {

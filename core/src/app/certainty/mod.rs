@@ -25,7 +25,7 @@ pub struct CertaintyRequest {
     pub form: FormRequest,
     /// How many measurements, up to 10 000; absent: 1000.
     pub runs: Option<u32>,
-    /// Seed of all random numbers; absent: 1.
+    /// Seed of all random numbers; absent: that of the machine's series.
     pub seed: Option<u64>,
 }
 
@@ -119,7 +119,7 @@ pub fn certainty(asked: CertaintyRequest) -> Result<CertaintyView, Error> {
     let (Some(answer), Source { setup, call: Some(inputs), outcome, .. }) = (outcome.answer, outcome.trace) else {
         return Ok(CertaintyView::default());
     };
-    let draws = Draws { setup: &setup, seed: asked.seed.unwrap_or(1) };
+    let draws = Draws { setup: &setup, seed: asked.seed.unwrap_or(setup.series.seed) };
     let causes: Vec<Cause> = draws.causes().into_iter().filter(|cause| cause.concerns(&inputs, &setup)).collect();
     if causes.is_empty() || !outcome.finished() {
         return Ok(CertaintyView::default());

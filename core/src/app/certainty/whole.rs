@@ -9,6 +9,7 @@ use crate::app::start::Machine;
 use crate::app::{Error, ProgramText};
 use crate::dialect::Dialect;
 use crate::machine::Setup;
+use crate::message::Message;
 use crate::run::Outcome;
 use serde::{Deserialize, Serialize};
 
@@ -28,16 +29,19 @@ pub struct WholeCertaintyRequest {
     pub with: Option<Vec<Beside>>,
     /// How many runs, up to 10 000; absent: 400.
     pub runs: Option<u32>,
-    /// Seed of all random numbers; absent: 1.
+    /// Seed of all random numbers; absent: that of the machine's series.
     pub seed: Option<u64>,
 }
 
 /// How certain the measurements of a program are.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
 pub struct WholeCertainty {
-    /// How many runs; 0: nothing spreads, or nothing is measured.
+    /// How many runs; 0: nothing is known.
     pub runs: u32,
+    /// Why nothing is known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub nothing: Option<Message>,
     /// Share of them that did not come to the end.
     pub stopped: f64,
     /// For each measuring call of the run, in order.
@@ -68,7 +72,7 @@ pub fn certainty_of(asked: WholeCertaintyRequest, told: &mut dyn FnMut(f64)) -> 
     Ok(whole_certainty(&prepared(request)?, runs, seed, told))
 }
 
-/// Carries out a program as often, 400 times where that is absent. `seed`: absent 1; `told`: hears which share is done.
+/// Carries out a program as often, 400 times where that is absent. `seed`: absent that of its machine; `told`: hears which share is done.
 pub fn whole_certainty(
     prepared: &Prepared,
     runs: Option<u32>,
@@ -79,9 +83,10 @@ pub fn whole_certainty(
     let once = |machine: &Setup| prepared.run(machine);
     let outcome = once(setup);
     let known = answers(setup, &outcome);
-    let draws = Draws { setup, seed: seed.unwrap_or(1) };
+    let draws = Draws { setup, seed: seed.unwrap_or(setup.series.seed) };
     let causes = draws.causes();
-    let runs = if causes.is_empty() || known.is_empty() { 0 } else { runs.unwrap_or(RUNS).clamp(1, MOST) };
+    let nothing = nothing(&outcome, &known, &causes);
+    let runs = if nothing.is_some() { 0 } else { runs.unwrap_or(RUNS).clamp(1, MOST) };
     let sets: Vec<(Vec<Cause>, u32)> = match causes.len() {
         0 | 1 => vec![(causes.clone(), runs)],
         _ => {
@@ -106,7 +111,16 @@ pub fn whole_certainty(
         CallCertainty { call: one.call, figures: judged(&outcome, at, one, &causes, &spreads[0], parts) }
     });
     let stopped = if runs == 0 { 0.0 } else { 1.0 - f64::from(spreads[0].finished) / f64::from(runs) };
-    WholeCertainty { runs, stopped, calls: calls.collect() }
+    WholeCertainty { runs, nothing, stopped, calls: calls.collect() }
+}
+
+/// Why nothing can be known of the certainty of a program.
+fn nothing(outcome: &Outcome, known: &[RunAnswer], causes: &[Cause]) -> Option<Message> {
+    match outcome.given_up() {
+        Some(why) => Some(why.clone()),
+        None if known.is_empty() => Some(Message::new("certainty-no-call")),
+        None => causes.is_empty().then(|| Message::new("certainty-nothing")),
+    }
 }
 
 /// What the figures of one call prove.
@@ -206,6 +220,7 @@ mod tests {
         let size = &view.calls[0].figures[0];
         assert!((size.expanded / 0.0023 - 1.0).abs() < 4.0 / 2000f64.sqrt() + 0.05, "{size:?}");
         assert_eq!(size.budget[0].source.key, "certainty-temperature");
-        assert_eq!(two_holes(|_| ()).runs, 0, "nothing spreads");
+        let nothing = two_holes(|_| ()).nothing.unwrap();
+        assert_eq!(nothing.key, "certainty-nothing");
     }
 }

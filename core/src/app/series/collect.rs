@@ -10,8 +10,8 @@ use crate::app::run::{OfCall, RunAnswer, answers};
 use crate::control::{Control, Units};
 use crate::entry::{Inputs, names};
 use crate::evaluate::mean;
+use crate::machine::Setup;
 use crate::machine::series::Series;
-use crate::machine::{Setup, Stop};
 use crate::message::Message;
 use crate::run::Outcome;
 use crate::series::capability::capability;
@@ -83,7 +83,7 @@ impl Collected {
         }
         self.runs += 1;
         self.finished += usize::from(outcome.finished());
-        !matches!(&outcome.stop, Some(Stop::Fault(message)) if message.key == "run-steps")
+        outcome.given_up().is_none()
     }
 
     /// What they came to.

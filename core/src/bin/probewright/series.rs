@@ -83,8 +83,8 @@ fn certain(
                 writeln!(out, "  {} = {}", figure.name, told(figure, words))?;
             }
         }
-        let key = if view.runs > 0 { "certainty-runs" } else { "certainty-nothing" };
-        writeln!(out, "{}", words.text(&Message::new(key).number("runs", f64::from(view.runs))))?;
+        let runs = || Message::new("certainty-runs").number("runs", f64::from(view.runs));
+        writeln!(out, "{}", words.text(&view.nothing.clone().unwrap_or_else(runs)))?;
     }
     Ok(if view.calls.iter().any(|call| !call.figures.is_empty()) { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
