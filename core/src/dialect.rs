@@ -13,6 +13,14 @@ pub enum Dialect {
 }
 
 impl Dialect {
+    /// Name of the control, the same in every language.
+    pub fn name(self) -> &'static str {
+        match self {
+            Dialect::Sinumerik => "SINUMERIK",
+            Dialect::Nct => "NCT",
+        }
+    }
+
     /// The control of a program: NCT programs begin with `%O` or `O` and a number (C:1159), all others are SINUMERIK.
     pub fn of(source: &[u8]) -> Dialect {
         let rest = source.strip_prefix(b"\xef\xbb\xbf").unwrap_or(source).trim_ascii_start();

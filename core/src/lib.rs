@@ -81,6 +81,7 @@ pub mod dialect;
 pub mod encoding;
 pub mod entry;
 pub mod evaluate;
+pub mod foreign;
 pub mod form;
 pub mod geometry;
 pub mod jog;

@@ -246,6 +246,14 @@ sentences! {
     RUNS_BEFORE_WHOLE 198 Note "user-program-runs-before-whole" "";
     RUNS_BEHIND 198 Note "user-program-runs-behind" "";
     RUNS_BEHIND_WHOLE 198 Note "user-program-runs-behind-whole" "";
+    FOREIGN_PROGRAM 199 Note "foreign-program" "";
+    FOREIGN_CALL 199 Note "foreign-call" "";
+    FOREIGN_UNKNOWN 199 Note "foreign-unknown" "";
+    FOREIGN_TWICE 200 Error "foreign-twice" "foreign-twice-hint";
+    FOREIGN_MISSING 201 Warning "foreign-missing" "foreign-missing-hint";
+    FOREIGN_SURPLUS 201 Note "foreign-surplus" "";
+    FOREIGN_RANGE 202 Error "foreign-range" "foreign-range-hint";
+    FOREIGN_LIMITS 202 Warning "foreign-limits" "foreign-limits-hint";
 }
 
 #[cfg(all(test, feature = "cli"))]

@@ -1141,7 +1141,7 @@ export type FormRequest = {
   predict?: boolean,
   /** Whether to look for the largest errors of the part that the call survives: takes a hundred runs. */
   limits?: boolean,
-  /** Whether to look for the same task on the other control. */
+  /** Whether to look for the same task on other controls. */
   twin?: boolean,
 };
 
@@ -1167,8 +1167,8 @@ export type FormView = {
   chain?: Chain,
   /** What the values mean, drawn. */
   picture?: Picture,
-  /** When asked for: the same task on the other control; null where that has none. */
-  twin?: TwinView | null,
+  /** When asked for: the same task on other controls; empty where none has it. */
+  twins?: Array<TwinView>,
   /** When simulating was asked for and there is no outcome: parameters whose values only a run tells. */
   unknown?: Array<Name>,
   /** When simulating was asked for, of a complete form of a cycle that is simulated. */
@@ -3454,10 +3454,10 @@ export type Turret = {
   width: number,
 };
 
-/** A task as the other control does it. */
+/** A task as another control does it. */
 export type TwinView = {
-  /** That control. */
-  control: Dialect,
+  /** Name of that control, the same in every language. */
+  control: string,
   /** Cycle of the other control. */
   cycle: string,
   /** Stem of its messages. */
@@ -3466,8 +3466,10 @@ export type TwinView = {
   task: Message,
   /** Values as typed there. */
   values: { [key in string]: string },
-  /** Text of the program there. */
+  /** Text of the program there; empty: it is not written. */
   snippet: string,
+  /** Why it is not written. */
+  refused?: Message,
   /** What both say. */
   shared: Array<Shared>,
   /** What is different there. */

@@ -7,7 +7,7 @@ use super::predict::{ErrorSliders, predict};
 use super::record::probe_of;
 use super::start::{Machine, start};
 use super::supply::{Supply, corrected};
-use super::twin::{TwinView, twin};
+use super::twin::{TwinView, twins};
 use super::{Error, choose_units, cycle};
 use crate::check::{Checked, Parsed, expression, newer, parse, variants};
 use crate::control::{Control, GENERATION, MachineSort, OF_LISTS, Plane, Transverse, UnitFunction};
@@ -67,7 +67,7 @@ pub struct FormRequest {
     #[serde(default)]
     #[cfg_attr(test, ts(optional, as = "Option<bool>"))]
     pub limits: bool,
-    /// Whether to look for the same task on the other control.
+    /// Whether to look for the same task on other controls.
     #[serde(default)]
     #[cfg_attr(test, ts(optional, as = "Option<bool>"))]
     pub twin: bool,
@@ -101,9 +101,9 @@ pub struct FormView {
     /// What the values mean, drawn.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub picture: Option<Picture>,
-    /// When asked for: the same task on the other control; null where that has none.
+    /// When asked for: the same task on other controls; empty where none has it.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub twin: Option<Option<TwinView>>,
+    pub twins: Option<Vec<TwinView>>,
     /// When simulating was asked for and there is no outcome: parameters whose values only a run tells.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub unknown: Option<Vec<Name>>,
@@ -183,7 +183,7 @@ pub fn form(mut asked: FormRequest) -> Result<FormView, Error> {
     for field in &mut view.fields {
         field.written = pointed.get(field.name.as_str()).cloned();
     }
-    view.twin = asked.twin.then(|| twin(cycle, &values, &start.setup.control));
+    view.twins = asked.twin.then(|| twins(cycle, &values, &start.setup.control));
     if !asked.predict {
         return Ok(view);
     }
@@ -333,7 +333,7 @@ fn view(
         complete: checked.diagnostics.iter().all(|found| found.severity != Severity::Error),
         mvar: variants::chosen_by(&inputs, values.typed),
         picture: form::draw(cycle, values.typed, control).map(Picture::rounded),
-        twin: None,
+        twins: None,
         unknown: None,
         outcome: None,
         setup: None,

@@ -16,6 +16,7 @@ mod edit;
 mod encoding;
 mod equip;
 mod finding;
+mod foreign;
 mod form;
 mod help;
 mod jog;
@@ -65,6 +66,7 @@ pub use edit::{
 pub use encoding::Recognised;
 pub use equip::{CellText, EquipRequest, EquipView, EquipmentChange, EquipmentRows, RowOf, equip};
 pub use finding::{Cure, Edit, Finding, findings};
+pub use foreign::{ForeignCallView, ForeignFigure, ForeignLog, ForeignParameter, ForeignView, foreign};
 pub use form::{FormRequest, FormView, form};
 pub use help::{HelpRequest, HelpResult, HelpSection, HelpText, HelpView, help};
 pub use jog::{JogLine, JogPoint, JogResult, JogView, JogWrong, jog};

@@ -1,20 +1,20 @@
-//! A task of the form on the other control, beside it.
+//! A task of the form on other controls, beside it.
 
-use crate::catalogue;
-use crate::catalogue::twin::{Measurement, other};
+use crate::catalogue::twin::{Measurement, measured, one_sided, only_here, other};
 use crate::control::{Control, delivery_in};
-use crate::dialect::Dialect;
-use crate::entry::{Cycle, Style, Typed};
+use crate::entry::{Cycle, Inputs, Style, Typed};
+use crate::foreign::{self, Aim, CONTROLS, Foreign, OfTask, of_task};
 use crate::message::Message;
 use crate::program::write::snippet;
+use crate::{catalogue, check, entry};
 use serde::Serialize;
 
-/// A task as the other control does it.
+/// A task as another control does it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
 pub struct TwinView {
-    /// That control.
-    pub control: Dialect,
+    /// Name of that control, the same in every language.
+    pub control: &'static str,
     /// Cycle of the other control.
     pub cycle: &'static str,
     /// Stem of its messages.
@@ -23,8 +23,11 @@ pub struct TwinView {
     pub task: Message,
     /// Values as typed there.
     pub values: Typed,
-    /// Text of the program there.
+    /// Text of the program there; empty: it is not written.
     pub snippet: String,
+    /// Why it is not written.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub refused: Option<Message>,
     /// What both say.
     pub shared: Vec<Shared>,
     /// What is different there.
@@ -41,23 +44,83 @@ pub struct Shared {
     pub value: f64,
 }
 
+/// The task on the other controls; empty where none has it.
+pub(super) fn twins(cycle: &'static Cycle, typed: &Typed, control: &Control) -> Vec<TwinView> {
+    let inputs = check::read(cycle, typed, control, &mut Vec::new());
+    let foreign = CONTROLS.into_iter().filter_map(|other| of_foreign(other, &inputs, control));
+    twin(cycle, typed, control).into_iter().chain(foreign).collect()
+}
+
 /// None where the other control has no such task.
-pub(super) fn twin(cycle: &'static Cycle, typed: &Typed, control: &Control) -> Option<TwinView> {
+fn twin(cycle: &'static Cycle, typed: &Typed, control: &Control) -> Option<TwinView> {
     let there = catalogue::twin::twin(cycle, typed, control)?;
     let mut machine = delivery_in(other(cycle.dialect), control.basic_units);
     machine.plane = control.plane;
     machine.active_units = control.active_units;
     let written = snippet(there.cycle, &there.values, &machine, Style::Direct, None);
     Some(TwinView {
-        control: there.cycle.dialect,
+        control: there.cycle.dialect.name(),
         cycle: there.cycle.name,
         key: there.cycle.key,
         task: Message::new(there.measurement.task.key()),
         values: there.values,
         snippet: written.text,
+        refused: None,
         shared: shared(&there.measurement, control),
         differences: there.differences,
     })
+}
+
+/// On a control that is not run here.
+fn of_foreign(other: &'static Foreign, inputs: &Inputs, control: &Control) -> Option<TwinView> {
+    let (here, measurement) = measured(inputs, control)?;
+    let there = of_task(other, &measurement, control.active_units)?;
+    let per = control.active_factor();
+    let length = |name: &str, value: f64| match there.cycle.parameter(name) {
+        Some(parameter) if parameter.value.is_length() => value / per,
+        _ => value,
+    };
+    let values: Vec<(&'static str, f64)> =
+        there.values.iter().map(|(name, value)| (*name, length(name, *value))).collect();
+    let values: Typed = values.into_iter().map(|(name, value)| (name.to_owned(), value.to_string())).collect();
+    let written = foreign::written(other, there.cycle, &values);
+    let refused = written
+        .is_err()
+        .then(|| Message::new("foreign-not-written").text("cycle", there.cycle.name).text("control", other.name));
+    let known = Measurement { corner: None, limit: None, reach: None, ..measurement };
+    Some(TwinView {
+        control: other.name,
+        cycle: there.cycle.name,
+        key: there.cycle.key,
+        task: Message::new(known.task.key()),
+        values,
+        snippet: written.unwrap_or_default(),
+        differences: told(other, &there, inputs, here, control),
+        refused,
+        shared: shared(&known, control),
+    })
+}
+
+/// What the reader of both calls has to know.
+fn told(other: &Foreign, there: &OfTask, inputs: &Inputs, here: &entry::Shared, control: &Control) -> Vec<Message> {
+    let per = control.active_factor();
+    let named = |key: &'static str, names: &[&str]| Message::new(key).text("names", names.join(", "));
+    let mut all = Vec::new();
+    if !there.assumed.is_empty() {
+        let place = named("foreign-place", &there.assumed).text("control", other.name);
+        all.push(place.number("height", there.height / per).number("clearance", there.clearance / per));
+    }
+    if !there.usual.is_empty() {
+        all.push(named("foreign-usual", &there.usual));
+    }
+    if there.cycle.tasks.iter().any(|(_, aim)| *aim == Aim::Datum) {
+        all.push(Message::new("foreign-datum").text("control", other.name));
+    } else {
+        all.push(Message::new(other.results));
+    }
+    let only = only_here(inputs, here, &|meaning| there.carried.contains(&meaning));
+    all.extend(one_sided("twin-only", &only, inputs.cycle));
+    all
 }
 
 /// What both calls say, lengths in the active unit.

@@ -65,7 +65,7 @@ pub(crate) mod spread;
 mod suit;
 pub(crate) mod tool_probe;
 pub mod twin;
-mod twin_place;
+pub mod twin_place;
 
 /// What a run has to know of the log: every measuring cycle writes into it at its end, while it is on.
 pub(crate) mod log {

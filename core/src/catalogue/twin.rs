@@ -71,7 +71,7 @@ pub fn twin(cycle: &'static Cycle, typed: &Typed, control: &Control) -> Option<T
     let measurement = common(measurement, shared_there);
     let (values, of_example) = written(cycle_there, shared_there, &measurement, &there);
     let mut differences = told(&inputs, shared, &measurement, &there);
-    let only = only_here(&inputs, [shared, shared_there]);
+    let only = only_here(&inputs, shared, &|meaning| has(shared_there, meaning));
     differences.extend(one_sided("twin-only", &only, cycle));
     differences.extend(one_sided("twin-example", &of_example, cycle_there));
     Some(Twin { cycle: cycle_there, values, measurement, differences })
@@ -246,13 +246,13 @@ fn told(inputs: &Inputs, shared: &Shared, measurement: &Measurement, control: &C
 }
 
 /// What only one of the two calls says.
-fn one_sided(key: &'static str, names: &[Name], cycle: &Cycle) -> Option<Message> {
+pub fn one_sided(key: &'static str, names: &[Name], cycle: &Cycle) -> Option<Message> {
     (!names.is_empty()).then(|| Message::new(key).text("names", names.join(", ")).text("cycle", cycle.name))
 }
 
-/// Parameters that count in this call and have no counterpart.
-fn only_here(inputs: &Inputs, [here, there]: [&Shared; 2]) -> Vec<Name> {
-    let means = |name: Name| here.values.iter().any(|(known, meaning)| *known == name && has(there, *meaning));
+/// Parameters that count in this call and have no counterpart there.
+pub fn only_here(inputs: &Inputs, here: &Shared, there: &dyn Fn(Meaning) -> bool) -> Vec<Name> {
+    let means = |name: Name| here.values.iter().any(|(known, meaning)| *known == name && there(*meaning));
     let counts = inputs.cycle.params.iter().filter(|param| {
         let variant = inputs.cycle.variant_param() == Some(param.name);
         let used = inputs.uses(param.name) && inputs.given(param.name).is_some();

@@ -9,6 +9,7 @@ use crate::catalogue::Functions;
 use crate::control::{Control, delivery};
 use crate::diagnostic::{Diagnostic, Edit, Severity, Span};
 use crate::dialect::Dialect;
+use crate::foreign;
 use crate::message::Message;
 use crate::own::{self, Own};
 use crate::syntax::definitions;
@@ -28,6 +29,10 @@ pub fn findings_on(program: &Program, control: Control) -> Vec<Diagnostic> {
 
 /// What [`findings_on`] tells, where the calls of the program on this control are known already.
 pub fn findings_of(program: &Program, sites: &[CallSite], control: &Control) -> Vec<Diagnostic> {
+    let foreign = || foreign::findings::of_program(&program.source);
+    if let Some(found) = (program.dialect == Dialect::Sinumerik).then(foreign).flatten() {
+        return found;
+    }
     let syntax = program.errors.iter().map(|error| not_understood(program, error));
     let blocks = match program.dialect {
         Dialect::Sinumerik => block_rules(program),

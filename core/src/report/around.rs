@@ -11,7 +11,7 @@ use crate::report::markdown::{line, rows};
 use crate::words::Words;
 use std::collections::BTreeMap;
 
-const CONTROLS: [(Dialect, &str); 2] = [(Dialect::Sinumerik, "SINUMERIK"), (Dialect::Nct, "NCT")];
+const CONTROLS: [Dialect; 2] = [Dialect::Sinumerik, Dialect::Nct];
 
 /// The page of all blocks, Markdown.
 pub fn page(words: &Words) -> String {
@@ -29,7 +29,7 @@ fn section(text: &mut String, one: &'static Block, words: &Words) {
     line(text, &format!("## {}: `{}`", words.key(one.key()), one.name));
     line(text, &words.key(format!("{}-help", one.key())));
     let there: Vec<_> =
-        CONTROLS.iter().filter_map(|(dialect, name)| Some((*name, block(*dialect, one.name)?))).collect();
+        CONTROLS.into_iter().filter_map(|dialect| Some((dialect.name(), block(dialect, one.name)?))).collect();
     let mut fields: BTreeMap<&str, (usize, String, Vec<String>)> = BTreeMap::new();
     for (name, block) in &there {
         for (at, field) in block.fields.iter().enumerate() {

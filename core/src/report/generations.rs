@@ -8,6 +8,7 @@ use crate::catalogue::{CYCLES, alarms};
 use crate::control::setting_data::SETTING_DATA;
 use crate::entry::{ArgumentList, When};
 use crate::message::Message;
+use crate::report::foreign;
 use crate::report::markdown::{line, rows, table};
 use crate::words::Words;
 
@@ -46,6 +47,7 @@ pub fn page(words: &Words) -> String {
         [number.to_string(), known, words.key(format!("newer-alarm-{number}"))]
     });
     table(&mut text, &words.key("report-generations-alarms"), ["number", "standard", "meaning"], told, words);
+    foreign::section(&mut text, words);
     text.trim_end().to_owned() + "\n"
 }
 

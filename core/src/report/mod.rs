@@ -4,6 +4,7 @@ pub mod alarms;
 pub mod around;
 pub mod explain;
 pub mod findings;
+pub mod foreign;
 pub mod generations;
 mod help;
 pub mod jog;

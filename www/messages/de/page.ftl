@@ -582,11 +582,11 @@ card-result-cycles = Geliefert von
 card-alarm-cycles = Gemeldet von
 card-close = Schließen
 
-twin-open = Dieselbe Aufgabe auf der anderen Steuerung
-twin-task = { $task }: dort { $cycle }.
+twin-open = Dieselbe Aufgabe auf anderen Steuerungen
+twin-task = { $task }: bei { $control } { $cycle }.
 twin-shared = Was gleich ist
 twin-differences = Was anders ist
-twin-none = Für diese Werte hat die andere Steuerung keine entsprechende Aufgabe.
+twin-none = Für diese Werte haben andere Steuerungen keine entsprechende Aufgabe.
 
 ways = Schreibweise
 ways-findings = Zu dieser Schreibweise

@@ -573,11 +573,11 @@ card-result-cycles = Returned by
 card-alarm-cycles = Raised by
 card-close = Close
 
-twin-open = The same task on the other control
-twin-task = { $task }: on that control, { $cycle }.
+twin-open = The same task on other controls
+twin-task = { $task }: on { $control }, { $cycle }.
 twin-shared = What is the same
 twin-differences = What is different
-twin-none = The other control has no equivalent task for these values.
+twin-none = Other controls have no equivalent task for these values.
 
 ways = Call style
 ways-findings = About this call style

@@ -566,11 +566,11 @@ card-result-cycles = 由以下循环给出
 card-alarm-cycles = 由以下循环引发
 card-close = 关闭
 
-twin-open = 另一种控制系统上的同一任务
-twin-task = { $task }：另一种控制系统用 { $cycle }。
+twin-open = 其他控制系统上的同一任务
+twin-task = { $task }：{ $control } 用 { $cycle }。
 twin-shared = 相同之处
 twin-differences = 不同之处
-twin-none = 对于这些值，另一种控制系统没有对应的任务。
+twin-none = 对于这些值，其他控制系统没有对应的任务。
 
 ways = 书写方式
 ways-findings = 关于这种书写方式

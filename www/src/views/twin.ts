@@ -1,6 +1,7 @@
-// The same task on the other control, folded under the snippet: both calls side by side, what they share, what differs.
+// The same task on other controls, folded under the snippet: the calls side by side, what each shares with this one,
+// what differs.
 
-import { html, render } from "lit-html";
+import { html, nothing, render } from "lit-html";
 import type { Derived } from "../desk/derive";
 import { el, on, show } from "../dom";
 import { plain } from "../numbers";
@@ -10,27 +11,51 @@ import { say, t } from "../texts";
 import type { TwinView } from "../wire";
 import { copyText } from "./copy";
 
+type Copy = (text: string) => void;
+
 const column = (control: string, cycle: string, code: string) =>
   html`<div class="twin-call">
-    <h4>${`${t(`control-${control}`)} · ${cycle}`}</h4>
+    <h4>${`${control} · ${cycle}`}</h4>
     <pre class="twin-code" tabindex="0">${code}</pre>
   </div>`;
 
-function both({ control, cycle, task, snippet, shared, differences }: TwinView, here: Derived, copy: () => void) {
-  return html`<p class="lead">${t("twin-task", { task: say(task), cycle })}</p>
-    <div class="twin-calls">
-      ${column(here.cycle.control, here.cycle.cycle, here.view.snippet)}${column(control, cycle, snippet)}
-    </div>
-    <div class="actions"><button type="button" @click=${copy}>${t("form-copy")}</button></div>
+function there({ control, cycle, snippet, refused }: TwinView, copy: Copy) {
+  return html`<div class="twin-call">
+    <h4>${`${control} · ${cycle}`}</h4>
+    ${
+      refused
+        ? html`<p class="quiet-text">${say(refused)}</p>`
+        : html`<pre class="twin-code" tabindex="0">${snippet}</pre>
+          <div class="actions"><button type="button" @click=${() => copy(snippet)}>${t("form-copy")}</button></div>`
+    }
+  </div>`;
+}
+
+function compared({ control, cycle, task, shared, differences }: TwinView) {
+  const name = `${control} · ${cycle}`;
+  return html`<section aria-label=${name}>
+    <p class="lead">${t("twin-task", { task: say(task), cycle, control })}</p>
     <h4>${t("twin-shared")}</h4>
     <dl class="twin-shared" aria-label=${t("twin-shared")}>
       ${shared.map(({ label, value }) => html`<div><dt>${say(label)}</dt><dd>${plain(value)}</dd></div>`)}
     </dl>
-    <h4>${t("twin-differences")}</h4>
-    <ul class="twin-differences" aria-label=${t("twin-differences")}>
-      ${differences.map(one => html`<li>${say(one)}</li>`)}
-    </ul>`;
+    ${
+      differences.length === 0
+        ? nothing
+        : html`<h4>${t("twin-differences")}</h4>
+          <ul class="twin-differences" aria-label=${t("twin-differences")}>
+            ${differences.map(one => html`<li>${say(one)}</li>`)}
+          </ul>`
+    }
+  </section>`;
 }
+
+const all = (twins: TwinView[], here: Derived, copy: Copy) =>
+  html`<div class="twin-calls">
+      ${column(t(`control-${here.cycle.control}`), here.cycle.cycle, here.view.snippet)}
+      ${twins.map(one => there(one, copy))}
+    </div>
+    ${twins.map(compared)}`;
 
 /** Asked for only while it is unfolded. */
 export function createTwin(store: Store): { root: HTMLElement; draw(state: State, derived: Derived): void } {
@@ -48,14 +73,14 @@ export function createTwin(store: Store): { root: HTMLElement; draw(state: State
   return {
     root,
     draw(state, derived) {
-      const { twin } = derived.view;
+      const { twins } = derived.view;
       show(root, derived.cycle.twins && derived.simulates === "yes");
       if (root.open !== state.snippet.twin) root.open = state.snippet.twin;
-      show(found, !!twin);
-      show(none, twin === null);
-      if (twin)
+      show(found, !!twins?.length);
+      show(none, twins?.length === 0);
+      if (twins?.length)
         render(
-          both(twin, derived, () => void copyText(twin.snippet, store, "notice-copied")),
+          all(twins, derived, text => void copyText(text, store, "notice-copied")),
           found,
         );
     },

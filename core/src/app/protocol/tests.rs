@@ -245,3 +245,17 @@ fn a_field_is_a_figure_or_none() {
         assert_eq!(value(field), figure, "{field}");
     }
 }
+
+// oracle: hand: the figures of a log of another control stand in groups, and say the same of the same hole
+#[test]
+fn a_log_in_groups_is_laid_onto_the_calls() {
+    let log = "Measuring log for touch probe cycle 421 Hole measuring\nNominal values:\n\
+        Center in reference axis: 0.0000\nCenter in minor axis: 0.0000\nDiameter: 50.0000\nActual values:\nCenter in reference axis: 0.0810\n\
+        Center in minor axis: -0.0470\nDiameter: 50.0259\nDeviations:\nCenter in reference axis: 0.0810\n\
+        Center in minor axis: -0.0470\nDiameter: 0.0259\n";
+    let view = onto_nominal(log, None).unwrap();
+    assert_eq!((view.fitted, view.missing, view.unfit.len()), (3, 2, 0), "{:?}", view.unfit);
+    let first = values(&view.answers[..1]);
+    let near = |wanted: f64| first.iter().any(|one| (one - wanted).abs() < 1e-9);
+    assert!(near(50.0259) && near(0.081) && near(-0.047), "{first:?}");
+}

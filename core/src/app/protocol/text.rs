@@ -1,5 +1,7 @@
 //! The lines of a protocol in fields, and the figures in them, whatever wrote it: the log of a control, a table.
 
+use crate::foreign::{self, LogRow};
+
 /// A line of a protocol.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Line {
@@ -25,9 +27,12 @@ const LOOKED_AT: usize = 200;
 /// Units that may stand behind a figure.
 const UNITS: [&str; 5] = ["mm", "inch", "in", "°", "deg"];
 
-/// The lines in which something stands.
+/// The lines in which something stands; of the log of a control whose figures stand in groups, a line each quantity.
 pub fn lines(text: &str) -> Vec<Line> {
     let text = text.trim_start_matches('\u{feff}');
+    if let Some((_, logs)) = foreign::logs(text) {
+        return logs.into_iter().flat_map(|log| log.rows).map(of_row).collect();
+    }
     let all = || text.lines().filter(|line| line.contains(char::is_alphanumeric));
     let parted = [';', '\t', ','].into_iter().find(|sign| {
         let (with, count) = all()
@@ -37,6 +42,12 @@ pub fn lines(text: &str) -> Vec<Line> {
     });
     let numbered = text.lines().zip(1..).filter(|(line, _)| line.contains(char::is_alphanumeric));
     numbered.map(|(line, number)| Line { number, text: line.to_owned(), fields: fields(line, parted) }).collect()
+}
+
+/// A quantity of such a log: its name, set value, actual value and deviation.
+fn of_row(row: LogRow) -> Line {
+    let fields = vec![row.label, row.nominal, row.actual, row.deviation];
+    Line { number: row.line, text: fields.join(" "), fields }
 }
 
 /// The fields of a line, in quotes or not; without a sign between them blanks part them.

@@ -7,6 +7,7 @@ mod cycles;
 mod document;
 mod explain;
 mod file;
+mod foreign;
 mod help;
 mod jog;
 mod joined;

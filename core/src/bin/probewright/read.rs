@@ -1,7 +1,7 @@
 //! `probewright read`.
 
-use crate::file;
-use crate::file::{Control, Problem};
+use crate::file::{self, Control, Problem};
+use crate::foreign;
 use crate::joined::Joined;
 use probewright_core::message::printable;
 use probewright_core::program::calls::calls;
@@ -28,6 +28,13 @@ pub struct Arguments {
 /// Lists the measuring calls of a program.
 pub fn read(asked: &Arguments, words: &Words, out: &mut dyn Write) -> Result<ExitCode, Problem> {
     let joined = Joined::read(&asked.file, &asked.with, asked.control)?;
+    if let Some(view) = app::foreign(&joined.text).filter(|_| asked.control.is_none()) {
+        match asked.json {
+            true => file::print_json(json::document(&view), words, out)?,
+            false => foreign::list(&asked.file, &view, words, out)?,
+        }
+        return Ok(ExitCode::SUCCESS);
+    }
     let program = syntax::read_held(joined.dialect, &joined.text, &Arc::default(), &mut |_| {});
     if asked.json {
         file::print_json(json::document(&app::calls(&program)), words, out)?;

@@ -2,6 +2,7 @@
 
 use crate::check::one_line;
 use crate::file::{Problem, complain, wrong};
+use crate::foreign;
 use probewright_core::control::Plane;
 use probewright_core::diagnostic::Severity;
 use probewright_core::dialect::Dialect;
@@ -31,6 +32,10 @@ pub struct Arguments {
 
 /// Writes the snippet, or every problem to standard error.
 pub fn write(asked: &Arguments, words: &Words, out: &mut dyn Write) -> Result<ExitCode, Problem> {
+    if let Some(text) = foreign::write(&asked.cycle, &asked.values)? {
+        write!(out, "{text}")?;
+        return Ok(ExitCode::SUCCESS);
+    }
     let cycle = find(&asked.cycle)?;
     let typed = typed(cycle, &asked.values)?;
     let plane = cycle.purpose.machine.plane().unwrap_or(Plane::G17);

@@ -105,7 +105,7 @@ fn the_same_task_on_the_other_control_stands_beside_the_form() {
         "values": { "D": "50", "S": "1", "Q": "3" },
     });
     let view = form(&request.to_string()).unwrap();
-    let twin = &view["twin"];
+    let twin = &view["twins"][0];
     assert_eq!(twin["cycle"], "CYCLE977");
     assert_eq!(twin["task"]["key"], "task-bore");
     assert!(twin["snippet"].as_str().unwrap().contains("_SETVAL=50"));
@@ -113,10 +113,46 @@ fn the_same_task_on_the_other_control_stands_beside_the_form() {
     assert_eq!(shared[0]["value"], 50.0);
     request["cycle"] = "G101".into();
     request["values"] = json!({ "X": "1" });
-    assert_eq!(form(&request.to_string()).unwrap()["twin"], Value::Null);
+    assert_eq!(form(&request.to_string()).unwrap()["twins"], json!([]));
     request["twin"] = false.into();
     let view = form(&request.to_string()).unwrap();
-    assert!(view.get("twin").is_none());
+    assert!(view.get("twins").is_none());
+}
+
+// oracle: hand: the limits are set value plus tolerance; a zero offset is a datum; TNC 320 9/2016 p. 396 for the rest
+#[test]
+fn the_same_task_stands_beside_the_form_as_other_controls_write_it() {
+    let on_tnc = |cycle: &str, values: Value| {
+        let request = json!({ "control": "sinumerik", "cycle": cycle, "twin": true, "values": values });
+        let view = form(&request.to_string()).unwrap();
+        let twins = view["twins"].as_array().unwrap().clone();
+        let tnc: Vec<Value> = twins.into_iter().filter(|one| one["control"] == "HEIDENHAIN TNC").collect();
+        tnc.first().cloned().unwrap_or_default()
+    };
+    let hole = json!({ "_MVAR": "1", "_SETVAL": "20", "_TUL": "0.1", "_TLL": "-0.3", "_TNUM": "7", "_KNUM": "2001" });
+    let tnc = on_tnc("CYCLE977", hole);
+    assert_eq!(tnc["cycle"], "TCH PROBE 421");
+    let text = tnc["snippet"].as_str().unwrap();
+    for line in ["Q262=+19.9 ;", "Q275=+20.1 ;", "Q276=+19.7 ;", "Q330=+7 ;TOOL NUMBER\n", "Q273=+0 ;"] {
+        assert!(text.contains(line), "{line} {text}");
+    }
+    let keys: Vec<&str> = tnc["differences"].as_array().unwrap().iter().filter_map(|one| one["key"].as_str()).collect();
+    assert!(keys.starts_with(&["foreign-place", "foreign-usual", "tnc-results"]), "{keys:?}");
+    let zero = on_tnc("CYCLE977", json!({ "_MVAR": "101", "_SETVAL": "50", "_KNUM": "1" }));
+    assert_eq!(zero["cycle"], "TCH PROBE 412");
+    assert_eq!(zero["differences"][2]["key"], "foreign-datum");
+    // a boss is described, and its page not published: it is not written
+    let boss = on_tnc("CYCLE977", json!({ "_MVAR": "2", "_SETVAL": "50", "_ID": "-30" }));
+    assert_eq!((&boss["cycle"], &boss["snippet"]), (&json!("TCH PROBE 422"), &json!("")));
+    assert_eq!(boss["refused"]["key"], "foreign-not-written");
+    assert_eq!(boss["values"]["Q261"], "-10");
+    let wall = on_tnc("CYCLE978", json!({ "_MVAR": "0", "_SETVAL": "-12", "_MA": "2" }));
+    let text = wall["snippet"].as_str().unwrap();
+    for line in ["TCH PROBE 427 ", "Q263=+0 ;", "Q264=-12 ;", "Q272=+2 ;", "Q267=-1 ;"] {
+        assert!(text.contains(line), "{line} {text}");
+    }
+    let corner = on_tnc("CYCLE961", json!({ "_MVAR": "106", "_STA1": "0" }));
+    assert_eq!(corner, Value::Null);
 }
 
 // oracle: self: in every plane the example that the catalogue has for it is complete and chooses its variant, and so

@@ -1,0 +1,115 @@
+//! What is told of a program of such a control.
+
+use super::{Foreign, ForeignCall, ForeignCycle, ForeignValue, Parameter, Value, control_of};
+use crate::diagnostic::{Diagnostic, Edit, Severity, Span};
+use crate::message::Message;
+use crate::own;
+
+/// Most calls of a program that are told.
+const MOST: usize = 1000;
+
+/// What is told of a program in place of what reading another language in it would find; none: it is none of these
+/// controls.
+pub fn of_program(source: &[u8]) -> Option<Vec<Diagnostic>> {
+    let control = control_of(source)?;
+    let calls = (control.calls)(source);
+    let end = source.iter().position(|byte| *byte == b'\n').unwrap_or(source.len());
+    let first = Span { start: 0, end: u32::try_from(end).unwrap_or(u32::MAX) };
+    let about = own::FOREIGN_PROGRAM.finding().text("control", control.name).number("count", calls.len() as f64);
+    let mut found = vec![about.on(first)];
+    for call in calls.iter().take(MOST) {
+        match call.cycle {
+            Some(cycle) => found.extend(of_call(cycle, call)),
+            None => found.push(unknown(control, call)),
+        }
+    }
+    found.sort_by_key(|one| (one.span.map_or(0, |span| span.start), one.severity));
+    Some(found)
+}
+
+fn unknown(control: &Foreign, call: &ForeignCall) -> Diagnostic {
+    own::FOREIGN_UNKNOWN.finding().text("call", call.name.as_str()).text("control", control.name).on(call.span)
+}
+
+/// What it measures, and what is wrong with it.
+fn of_call(cycle: &'static ForeignCycle, call: &ForeignCall) -> Vec<Diagnostic> {
+    let told = Message::new(cycle.title());
+    let mut found = vec![Diagnostic::new(Severity::Note, own::FOREIGN_CALL.code(), told).on(call.span)];
+    let missing: Vec<&Parameter> = cycle.parameters.iter().filter(|one| value(call, one.name).is_none()).collect();
+    let twice: Vec<&ForeignValue> = call
+        .values
+        .iter()
+        .enumerate()
+        .filter(|(at, one)| named(&call.values[..*at], &one.name))
+        .map(|(_, one)| one)
+        .collect();
+    for one in &twice {
+        found.push(written_twice(cycle, call, one, &missing));
+    }
+    let names: Vec<&str> = missing.iter().filter(|one| !one.optional).map(|one| one.name).collect();
+    if !names.is_empty() && twice.is_empty() {
+        let lacks = own::FOREIGN_MISSING.finding().text("names", names.join(", "));
+        found.push(lacks.text("call", cycle.name).on(call.span));
+    }
+    for one in &call.values {
+        let Some(parameter) = cycle.parameter(&one.name) else {
+            let surplus = own::FOREIGN_SURPLUS.finding().text("name", one.name.as_str());
+            found.push(surplus.text("call", cycle.name).on(one.name_span));
+            continue;
+        };
+        if one.number().is_some_and(|value| !parameter.range.contains(value)) {
+            found.push(outside(parameter, one));
+        }
+    }
+    found.extend(limits(cycle, call));
+    found
+}
+
+fn named(values: &[ForeignValue], name: &str) -> bool {
+    values.iter().any(|one| one.name.eq_ignore_ascii_case(name))
+}
+
+fn value<'a>(call: &'a ForeignCall, name: &str) -> Option<&'a ForeignValue> {
+    call.values.iter().find(|one| one.name.eq_ignore_ascii_case(name))
+}
+
+/// A parameter that is written a second time: where the table has the missing one behind it, that is meant.
+fn written_twice(
+    cycle: &'static ForeignCycle,
+    call: &ForeignCall,
+    one: &ForeignValue,
+    missing: &[&Parameter],
+) -> Diagnostic {
+    let found = own::FOREIGN_TWICE.finding().text("name", one.name.as_str()).text("call", call.name.as_str());
+    let found = found.on(one.name_span);
+    let place = cycle.parameters.iter().position(|known| known.name.eq_ignore_ascii_case(&one.name));
+    let behind = place.and_then(|place| cycle.parameters.get(place + 1));
+    let meant = behind.filter(|behind| missing.iter().any(|known| known.name == behind.name));
+    match meant {
+        Some(meant) => {
+            let label = Message::new("foreign-rename").text("name", meant.name);
+            found.cured(label, vec![Edit { span: one.name_span, insert: meant.name.to_owned() }])
+        }
+        None => found,
+    }
+}
+
+fn outside(parameter: &Parameter, one: &ForeignValue) -> Diagnostic {
+    let found = own::FOREIGN_RANGE.finding().text("name", parameter.name).text("value", one.text.as_str());
+    found.number("min", parameter.range.min).number("max", parameter.range.max).on(one.span)
+}
+
+/// Limits of one size that have changed places.
+fn limits(cycle: &'static ForeignCycle, call: &ForeignCall) -> Option<Diagnostic> {
+    let pairs = cycle.parameters.windows(2).filter(|pair| {
+        pair.first().is_some_and(|one| one.value == Value::Maximum)
+            && pair.last().is_some_and(|one| one.value == Value::Minimum)
+    });
+    pairs.into_iter().find_map(|pair| {
+        let [maximum, minimum] = pair else { return None };
+        let (most, least) = (value(call, maximum.name)?, value(call, minimum.name)?);
+        let wrong = most.number()? < least.number()?;
+        let found = || own::FOREIGN_LIMITS.finding().text("maximum", maximum.name).text("minimum", minimum.name);
+        wrong.then(|| found().on(most.span))
+    })
+}

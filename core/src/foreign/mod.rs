@@ -1,0 +1,183 @@
+//! Controls of other makers whose probe cycles are read, explained and written: a table a control, a folder each. No
+//! program of theirs is run here, so that they are no [`crate::dialect::Dialect`].
+
+pub mod findings;
+mod log;
+mod of_task;
+pub mod tnc;
+mod write;
+
+pub use log::{Log, LogRow};
+pub use of_task::{OfTask, of_task};
+pub use write::{Unwritten, written};
+
+use crate::diagnostic::Span;
+use crate::entry::Task;
+use crate::range::Range;
+
+/// A control of another maker.
+pub struct Foreign {
+    /// Its name, the same in every language.
+    pub name: &'static str,
+    /// Its probe cycles.
+    pub cycles: &'static [ForeignCycle],
+    /// Where its results are, whatever the cycle; key of a message.
+    pub results: &'static str,
+    /// Whether a text is a program of it.
+    pub is_program: fn(&[u8]) -> bool,
+    /// The probe cycles in such a text, in their order.
+    pub calls: fn(&[u8]) -> Vec<ForeignCall>,
+    /// Its logs in a text.
+    pub logs: fn(&str) -> Vec<Log>,
+    /// A call with these values, in the order of the table.
+    pub call: fn(&ForeignCycle, &[(&Parameter, f64)]) -> String,
+}
+
+/// The controls.
+pub static CONTROLS: [&Foreign; 1] = [&tnc::CONTROL];
+
+/// A probe cycle of such a control.
+pub struct ForeignCycle {
+    /// Name of the call.
+    pub name: &'static str,
+    /// What the control writes behind it.
+    pub text: &'static str,
+    /// Stem of its messages.
+    pub key: &'static str,
+    /// Where its parameters are published.
+    pub source: &'static str,
+    /// Whether a published page has every value; else it is read and explained, and not written.
+    pub is_written: bool,
+    /// What it does.
+    pub tasks: &'static [(Task, Aim)],
+    /// Its parameters, in their order.
+    pub parameters: &'static [Parameter],
+}
+
+/// What comes of a measurement.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Aim {
+    /// A deviation, also as a correction of a tool.
+    Measure,
+    /// A datum.
+    Datum,
+}
+
+/// A parameter of such a cycle.
+#[derive(Clone, Copy)]
+pub struct Parameter {
+    /// Its name in a program.
+    pub name: &'static str,
+    /// What the control writes behind its value.
+    pub text: &'static str,
+    /// Key of what it means.
+    pub key: &'static str,
+    /// Its values, as published.
+    pub range: Range,
+    /// What it says.
+    pub value: Value,
+    /// Whether some versions of the control do not have it.
+    pub optional: bool,
+}
+
+/// What a parameter says.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Value {
+    /// Centre of what is measured, along the first (0) or second (1) axis of the plane.
+    Centre(usize),
+    /// Touching point along an axis of the plane.
+    Point(usize),
+    /// Set value.
+    Nominal,
+    /// Largest permissible size; 0: no limit.
+    Maximum,
+    /// Smallest permissible size; 0: no limit.
+    Minimum,
+    /// Axis along which is measured: 1, 2, or 3 for that of the probe.
+    Axis,
+    /// Direction of measuring: 1 or -1.
+    Direction,
+    /// Height of the ball's centre while measuring.
+    Height,
+    /// Height at which nothing is in the way.
+    Clearance,
+    /// Tool that is corrected; 0: none.
+    Tool,
+    /// What has no counterpart, and what is usual.
+    Usual(f64),
+    /// What has neither.
+    Own,
+}
+
+/// A call in a program of such a control.
+#[derive(Clone)]
+pub struct ForeignCall {
+    /// Its cycle; none: no table has it.
+    pub cycle: Option<&'static ForeignCycle>,
+    /// As the program calls it.
+    pub name: String,
+    /// Line of the call, from 0.
+    pub line: u32,
+    /// Place of its name.
+    pub span: Span,
+    /// Its values, in the order of the text.
+    pub values: Vec<ForeignValue>,
+}
+
+/// A value of such a call.
+#[derive(Clone)]
+pub struct ForeignValue {
+    /// Name of the parameter.
+    pub name: String,
+    /// Place of the name.
+    pub name_span: Span,
+    /// As written.
+    pub text: String,
+    /// Place of name and value.
+    pub span: Span,
+}
+
+impl Value {
+    /// Whether it is a length of the measurement.
+    pub fn is_length(self) -> bool {
+        !matches!(self, Value::Axis | Value::Direction | Value::Tool | Value::Usual(_) | Value::Own)
+    }
+}
+
+impl ForeignCycle {
+    /// A parameter by its name.
+    pub fn parameter(&self, name: &str) -> Option<&'static Parameter> {
+        self.parameters.iter().find(|one| one.name.eq_ignore_ascii_case(name))
+    }
+
+    /// Key of what it does.
+    pub fn title(&self) -> String {
+        format!("{}-title", self.key)
+    }
+}
+
+impl ForeignValue {
+    /// The value, where it is a number.
+    pub fn number(&self) -> Option<f64> {
+        self.text.trim().parse().ok().filter(|value: &f64| value.is_finite())
+    }
+}
+
+/// The control of a program, where it is none of those that are run.
+pub fn control_of(source: &[u8]) -> Option<&'static Foreign> {
+    CONTROLS.into_iter().find(|control| (control.is_program)(source))
+}
+
+/// The logs of such a control in a text.
+pub fn logs(text: &str) -> Option<(&'static Foreign, Vec<Log>)> {
+    CONTROLS.into_iter().map(|control| (control, (control.logs)(text))).find(|(_, logs)| !logs.is_empty())
+}
+
+/// A cycle by its name.
+pub fn find(name: &str) -> Option<(&'static Foreign, &'static ForeignCycle)> {
+    let same = |cycle: &&ForeignCycle| cycle.name.eq_ignore_ascii_case(name.trim());
+    CONTROLS.into_iter().find_map(|control| Some((control, control.cycles.iter().find(same)?)))
+}
+
+#[cfg(test)]
+mod tests;

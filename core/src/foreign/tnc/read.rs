@@ -1,0 +1,112 @@
+//! Programs in conversational text. A call goes on over the lines that begin with a Q parameter, with or without `~`.
+
+use super::super::{ForeignCall, ForeignValue};
+use super::table::CYCLES;
+use crate::diagnostic::Span;
+
+/// Lines in which a program is looked for.
+const HEAD: usize = 200;
+/// How a probe cycle begins.
+const CALL: &[u8] = b"TCH PROBE ";
+
+/// Whether a text begins as such a program, or calls a probe cycle at its head.
+pub fn is_program(source: &[u8]) -> bool {
+    let lines = lines(source).map(|(_, line)| code(line)).filter(|line| !line.is_empty());
+    let begins = |(at, line): (usize, &[u8])| at == 0 && begins_with(line, b"BEGIN PGM ") || begins_with(line, CALL);
+    lines.take(HEAD).enumerate().any(begins)
+}
+
+/// The probe cycles of a program.
+pub fn calls(source: &[u8]) -> Vec<ForeignCall> {
+    let mut found: Vec<ForeignCall> = Vec::new();
+    let mut goes_on = false;
+    for ((start, line), number) in lines(source).zip(0..) {
+        let code = code(line);
+        // where the code begins in the text
+        let at = start + (code.as_ptr() as usize - line.as_ptr() as usize);
+        if begins_with(code, CALL) {
+            found.push(call(code, at, number));
+            goes_on = true;
+        } else if goes_on && is_value(code) {
+            if let Some(last) = found.last_mut() {
+                last.values.extend(values(code, at));
+            }
+        } else {
+            goes_on = false;
+        }
+    }
+    found
+}
+
+/// Lines with where they begin, without what ends them.
+fn lines(source: &[u8]) -> impl Iterator<Item = (usize, &[u8])> {
+    let mut next = 0;
+    source.split(|byte| *byte == b'\n').map(move |line| {
+        let start = next;
+        next += line.len() + 1;
+        (start, line)
+    })
+}
+
+/// A line without the number of its block and what stands behind a semicolon.
+fn code(line: &[u8]) -> &[u8] {
+    let line = line.strip_prefix(b"\xef\xbb\xbf").unwrap_or(line).trim_ascii_start();
+    let line = line.strip_prefix(b"/").unwrap_or(line);
+    let digits = line.iter().take_while(|byte| byte.is_ascii_digit()).count();
+    let behind = line.get(digits..).unwrap_or_default();
+    let line = if digits > 0 && behind.first().is_some_and(u8::is_ascii_whitespace) { behind } else { line };
+    let end = line.iter().position(|byte| *byte == b';').unwrap_or(line.len());
+    line.get(..end).unwrap_or_default().trim_ascii()
+}
+
+fn begins_with(line: &[u8], word: &[u8]) -> bool {
+    line.get(..word.len()).is_some_and(|start| start.eq_ignore_ascii_case(word))
+}
+
+/// Whether a line gives a Q parameter a value.
+fn is_value(code: &[u8]) -> bool {
+    let [b'Q' | b'q', rest @ ..] = code else { return false };
+    let rest = rest.strip_prefix(b"S").unwrap_or(rest); // a text
+    let digits = rest.iter().take_while(|byte| byte.is_ascii_digit()).count();
+    digits > 0 && rest.get(digits..).unwrap_or_default().trim_ascii_start().starts_with(b"=")
+}
+
+fn call(code: &[u8], at: usize, line: u32) -> ForeignCall {
+    let behind = code.get(CALL.len()..).unwrap_or_default();
+    let blanks = behind.iter().take_while(|byte| byte.is_ascii_whitespace()).count();
+    let number = behind.get(blanks..).unwrap_or_default();
+    let length = number.iter().take_while(|byte| byte.is_ascii_digit() || **byte == b'.').count();
+    let number = String::from_utf8_lossy(number.get(..length).unwrap_or_default()).into_owned();
+    let name = format!("TCH PROBE {number}");
+    let end = CALL.len() + blanks + length;
+    let rest = code.get(end..).unwrap_or_default();
+    let cycle = CYCLES.iter().find(|cycle| cycle.name == name);
+    ForeignCall { cycle, name, line, span: span(at, end), values: values(rest, at + end) }
+}
+
+/// The parameters in a piece of a line that begins there.
+fn values(code: &[u8], at: usize) -> Vec<ForeignValue> {
+    let mut found = Vec::new();
+    let words = code.split(u8::is_ascii_whitespace).scan(0, |next, word| {
+        let start = *next;
+        *next += word.len() + 1;
+        Some((start, word))
+    });
+    for (start, word) in words.filter(|(_, word)| is_value(word)) {
+        let Some(equals) = word.iter().position(|byte| *byte == b'=') else { continue };
+        let value = word.get(equals + 1..).unwrap_or_default();
+        let value = value.strip_suffix(b"~").unwrap_or(value);
+        found.push(ForeignValue {
+            name: String::from_utf8_lossy(word.get(..equals).unwrap_or_default()).to_ascii_uppercase(),
+            name_span: span(at + start, equals),
+            text: String::from_utf8_lossy(value).into_owned(),
+            span: span(at + start, equals + 1 + value.len()),
+        });
+    }
+    found
+}
+
+fn span(start: usize, length: usize) -> Span {
+    let place = |at: usize| u32::try_from(at).unwrap_or(u32::MAX);
+    Span { start: place(start), end: place(start + length) }
+}
