@@ -246,6 +246,18 @@ sentences! {
     RUNS_BEFORE_WHOLE 198 Note "user-program-runs-before-whole" "";
     RUNS_BEHIND 198 Note "user-program-runs-behind" "";
     RUNS_BEHIND_WHOLE 198 Note "user-program-runs-behind-whole" "";
+    OLDER_CALL 210 Warning "older-call" "older-call-hint";
+    OLDER_ID 211 Warning "older-open-id" "older-open-hint";
+    OLDER_SZA 211 Warning "older-open-sza" "older-open-hint";
+    OLDER_MD 211 Warning "older-open-md" "older-open-hint";
+    OLDER_RA 211 Warning "older-open-ra" "older-open-hint";
+    OLDER_RF 211 Warning "older-open-rf" "older-open-hint";
+    OLDER_FIRST 211 Warning "older-open-first" "older-setpoint-hint";
+    OLDER_SECOND 211 Warning "older-open-second" "older-setpoint-hint";
+    OLDER_UNUSED 212 Note "older-unused" "";
+    OLDER_RESULT 213 Warning "older-result" "older-result-hint";
+    OLDER_UNCLEAR 214 Warning "older-unclear" "older-unclear-hint";
+    OLDER_SUBROUTINE 215 Note "older-subroutine" "";
 }
 
 #[cfg(all(test, feature = "cli"))]
