@@ -11,10 +11,9 @@ const FALLBACK = "en"; // comes with the page, in two parts; another language co
 // words stand from the start, but for those of such a file.
 const LATER_WORDS = /^([a-z0-9-]+-(help|hint|words)|result-[a-z0-9-]+) =/;
 const LATER_FILES = [
-  ..."advice alarms around braking changes datum digitizing equipment evaluate exported foreign jog".split(" "),
-  ..."jog-program lathe lists logging machine-check nct protocol record repeat run scenarios series setup syntax".split(
-    " ",
-  ),
+  ..."advice alarms around braking changes datum definitions digitizing equipment evaluate exported foreign".split(" "),
+  ..."jog lathe lists logging machine-check nct protocol record repeat run scenarios series setup syntax".split(" "),
+  "jog-program",
   "tool-probe",
   "twin",
   "user-programs",

@@ -254,6 +254,18 @@ sentences! {
     FOREIGN_SURPLUS 201 Note "foreign-surplus" "";
     FOREIGN_RANGE 202 Error "foreign-range" "foreign-range-hint";
     FOREIGN_LIMITS 202 Warning "foreign-limits" "foreign-limits-hint";
+    OLDER_CALL 210 Warning "older-call" "older-call-hint";
+    OLDER_ID 211 Warning "older-open-id" "older-open-hint";
+    OLDER_SZA 211 Warning "older-open-sza" "older-open-hint";
+    OLDER_MD 211 Warning "older-open-md" "older-open-hint";
+    OLDER_RA 211 Warning "older-open-ra" "older-open-hint";
+    OLDER_RF 211 Warning "older-open-rf" "older-open-hint";
+    OLDER_FIRST 211 Warning "older-open-first" "older-setpoint-hint";
+    OLDER_SECOND 211 Warning "older-open-second" "older-setpoint-hint";
+    OLDER_UNUSED 212 Note "older-unused" "";
+    OLDER_RESULT 213 Warning "older-result" "older-result-hint";
+    OLDER_UNCLEAR 214 Warning "older-unclear" "older-unclear-hint";
+    OLDER_SUBROUTINE 215 Note "older-subroutine" "";
 }
 
 #[cfg(all(test, feature = "cli"))]

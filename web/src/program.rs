@@ -294,6 +294,24 @@ pub fn braking(request: &str) -> Result<String, JsError> {
     Ok(json::answer(request, app::braking)?)
 }
 
+/// `DefinitionsRequest` → `DefinitionsView`.
+///
+/// # Errors
+/// A request of the wrong shape, or more channels than a control has.
+#[wasm_bindgen]
+pub fn definitions(request: &str) -> Result<String, JsError> {
+    Ok(json::answer(request, app::definitions)?)
+}
+
+/// `ReadBackRequest` → `ReadBack`.
+///
+/// # Errors
+/// A request of the wrong shape, or files without a datum of the machine.
+#[wasm_bindgen]
+pub fn read_back(request: &str) -> Result<String, JsError> {
+    Ok(json::answer(request, app::read_back)?)
+}
+
 /// `RepeatRequest` → `RepeatView`.
 ///
 /// # Errors

@@ -749,6 +749,38 @@ export type CycleInfo = {
 /** A value of user data. */
 export type Datum = number | string;
 
+/** A machine, and how many channels measure on it. */
+export type DefinitionsRequest = {
+  /** Machine; absent: the core's own as it is. */
+  setup?: Machine,
+  /** Channels; absent: one. */
+  channels?: number,
+  /** Whether it measures in JOG too; absent: it does. */
+  jog?: boolean,
+};
+
+/** Lines for a file. */
+export type DefinitionsText = {
+  /** The file on the control. */
+  name: string,
+  /** Name under which the lines are saved. */
+  saved: string,
+  /** The lines. */
+  text: string,
+};
+
+/** What goes into the files of a machine. */
+export type DefinitionsView = {
+  /** The files of which lines differ, and behind them the program of value assignments. */
+  files: Array<DefinitionsText>,
+  /** Memory of each array whose size is chosen. */
+  memory: Array<MemoryShare>,
+  /** What the machine data for it have to be, for these channels. */
+  needs: Array<MemoryNeed>,
+  /** In which order it is done, and what should be known. */
+  notes: Array<Message>,
+};
+
 /** How far points are from the true surface, mm. */
 export type Deviation = {
   /** Greatest. */
@@ -1571,6 +1603,28 @@ export type Measured = {
   earlier: 0,
 };
 
+/** A machine datum for the memory of user data. */
+export type MemoryNeed = {
+  /** Its number, `MD18150`. */
+  number: string,
+  /** The least value for the measuring cycles alone. */
+  value: number,
+  /** Place in the manual. */
+  source: Cited,
+};
+
+/** Memory of an array. */
+export type MemoryShare = {
+  /** Name and sizes, `_TP[2,10]`. */
+  name: string,
+  /** Whether each channel needs it. */
+  channel: boolean,
+  /** Bytes of its values. */
+  bytes: number,
+  /** Bytes as delivered. */
+  delivered: number,
+};
+
 /** A text to be shown: key of the message files, with its arguments. */
 export type Message = {
   /** Key in the message files, for example `check-out-of-range`; stems of the catalogue make others (`alarm-61307`). */
@@ -2246,6 +2300,26 @@ export type Range = {
   max?: number,
   /** Whether `max` itself is allowed. */
   maxIncluded: boolean,
+};
+
+/** A machine with the values of files. */
+export type ReadBack = {
+  /** The machine now; values that it cannot have are its problems. */
+  machine: MachineView,
+  /** Data of the machine that the files give. */
+  read: number,
+  /** How many of them are another value than before. */
+  changed: number,
+  /** In words. */
+  ending: Message,
+};
+
+/** Files of a control whose values a machine is to have. */
+export type ReadBackRequest = {
+  /** Machine; absent: the core's own as it is. */
+  setup?: Machine,
+  /** Definition files, programs of value assignments, start-up files. */
+  files: Array<ExportedFile>,
 };
 
 /** Which program is read. */

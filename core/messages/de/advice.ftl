@@ -90,3 +90,37 @@ user-program-insert = Zum Einfügen: jede Gruppe von Zeilen zwischen die Marke d
 user-program-changes = { $name } ist ein Parameter des Messzyklus: Ein in CYCLE198 geschriebener Wert lässt den Zyklus etwas anderes messen.
 user-program-before-line = vor der Messung in { $cycle }
 user-program-behind-line = nach der Messung in { $cycle }
+
+# Programme älterer Versionen.
+
+older-call = { $word } mit R-Parametern ist ein Messaufruf einer 840C; hier ist es { $cycle }.
+older-call-hint = Das Programm umwandeln, danach Anwender- und Maschinendaten prüfen und den Messtaster neu kalibrieren.
+older-convert = { $cycles } und Parameternamen statt der R-Parameter schreiben
+older-open-id = { $text }: Ist das die Zustellung _ID auf Messhöhe? Für diese Variante von { $cycles } druckt das Handbuch { $other } neben demselben R-Parameter.
+older-open-sza = { $text }: Ist das die Schutzzone _SZA? Für diese Variante von { $cycles } druckt das Handbuch { $other } neben demselben R-Parameter.
+older-open-md = { $text }: Ist das die Messrichtung _MD? Für diese Variante von { $cycles } druckt das Handbuch { $other } neben demselben R-Parameter.
+older-open-ra = { $text }: Ist das die Nummer der Rundachse _RA? Für diese Variante von { $cycles } druckt das Handbuch { $other } neben demselben R-Parameter.
+older-open-rf = { $text }: Ist das der Vorschub _RF auf der Kreisbahn? Für diese Variante von { $cycles } druckt das Handbuch { $other } neben demselben R-Parameter.
+older-open-hint = Das weiß die Zeichnung oder der Ersteller. Braucht die Variante beide, den anderen von Hand schreiben.
+older-open-first = { $text }: Ist das der Sollwert _SETVAL von { $cycles }? { $other } setzt ihn auch, auf einen anderen Wert.
+older-open-second = { $text }: Ist das der Sollwert _SETVAL von { $cycles } und nicht { $other }? Beide setzen ihn, auf verschiedene Werte.
+older-setpoint-hint = Das Handbuch sagt nicht, welcher zählt. Einen wählen: Der andere wird entfernt.
+older-answer = { $name } schreiben für { $text }
+older-unused = { $text } verwendet diese Variante von { $cycles } nicht: Die Umwandlung lässt es weg.
+older-result = { $name } wird nach einem Messaufruf gelesen: An der 840C kann darin ein Messergebnis stehen. Das Handbuch nennt keine Entsprechung.
+older-result-hint = Das Ergebnis aus _OVR[] oder _OVI[] lesen; die Hilfeseite des Zyklus nennt sie.
+older-unclear = { $text }: Von hier an lässt sich nicht verfolgen, welche R-Parameter zu einem Messaufruf der 840C gelangen; das Programm wird nicht umgewandelt.
+older-unclear-hint = Einen R-Parameter mit fester Nummer außerhalb von Schleifen und Makros zuweisen, dann umwandeln.
+older-subroutine = { $name } gehört zu den Messzyklen: { $what }
+subroutine-result = zeigt das Messergebnisbild an (heute über _CHBIT[10] geschaltet).
+subroutine-dialogue = fragt vor dem Messaufruf die Parameter im Dialog ab (SW 3.2 bis 4.5). Seitdem stehen die Werte im Programm; der Aufruf kann entfallen. Bis SW 4.4 brauchte er die MMC-Anbindung (an einer MMC 102 REM in Zeile 2 der comic.nsk entfernt).
+subroutine-interface = intern, Schnittstelle der Messzyklen. Programme rufen es nicht auf.
+subroutine-messages = gibt Meldungen aus, intern, bis SW 6.2. Ab SW 6.3 entfallen.
+subroutine-alarms = gibt Alarme aus, intern, bis SW 6.2. Ab SW 6.3 entfallen.
+subroutine-transfer = überträgt Daten, intern, ab SW 4.5. Programme rufen es nicht auf.
+subroutine-plausibility = prüft die Parameter, intern. Programme rufen es nicht auf.
+subroutine-measuring = Messfunktionen, intern. Programme rufen es nicht auf.
+subroutine-milling = Messfunktionen der Werkstückmesszyklen an Fräsmaschinen, intern. Programme rufen es nicht auf.
+subroutine-tool = lädt die Werkzeugkorrektur, intern; bis SW 6.2 auch die Nullpunktverschiebung. Programme rufen es nicht auf.
+subroutine-zero = lädt die Nullpunktverschiebung, intern, ab SW 6.2. Programme rufen es nicht auf.
+subroutine-approach = positioniert an Drehmaschinen vor, intern. Programme rufen es nicht auf.

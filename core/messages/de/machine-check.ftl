@@ -57,3 +57,23 @@ machine-need-start-length = Beim Programmstart geht die Werkzeuglängenkorrektur
 machine-need-tool-change = Bei RESET und Start behält die Werkzeugverwaltung den Messtaster nicht als aktives Werkzeug.
 machine-need-basic-reset = Der Basisbezug geht bei RESET verloren.
 machine-need-length-type = An einer Drehmaschine mit Bohrern oder Fräsern zählen deren Längen in falschen Achsen; 2 ist für solche Maschinen.
+
+# Definitionsdateien.
+
+definitions-none = Nichts weicht vom Lieferzustand ab.
+definitions-memory = Speicher für Anwenderdaten
+definitions-share = { $name }: { NUMBER($bytes) } Byte (im Lieferzustand { NUMBER($delivered) })
+definitions-share-channel = { $name }: { NUMBER($bytes) } Byte je Kanal (im Lieferzustand { NUMBER($delivered) })
+definitions-need = { $number } mindestens { NUMBER($value) } allein für die Messzyklen, { $source }
+definitions-insert = In den ausgelieferten { $files } die Zeilen gleichen Namens ersetzen: Diese Zeilen sind nicht die ganze Datei.
+definitions-save = Vorher die im NC aktiven Anwenderdaten sichern: Das Aktivieren einer Definitionsdatei setzt ihre Werte zurück. GUD5 aktivieren, dann GUD6, dann GUD7_MC, danach NC-Reset und die Anwenderdaten zurückladen.
+definitions-older = Bis zu den Messzyklen 6.02.16 gehören die Zeilen von GUD7_MC.DEF in die GUD7.DEF.
+definitions-program = { $channels ->
+    [one] Danach { $name } laden und einmal in AUTOMATIK starten.
+   *[other] Danach { $name } laden und in jedem messenden Kanal einmal in AUTOMATIK starten: Viele Daten sind kanalspezifisch.
+  } Anschließend die Messtaster kalibrieren.
+definitions-read = { $read ->
+    [one] Ein Wert gelesen
+   *[other] { $read } Werte gelesen
+  }, { $changed } geändert, { $problems } nicht angenommen.
+definitions-channels = Eine Steuerung hat 1 bis { $most } Kanäle.

@@ -90,3 +90,37 @@ user-program-insert = To insert: each group of lines between the label of the cy
 user-program-changes = { $name } is a parameter of the measuring cycle: a value written in CYCLE198 makes the cycle measure something else.
 user-program-before-line = before measurement in { $cycle }
 user-program-behind-line = after measurement in { $cycle }
+
+# Programs of older versions.
+
+older-call = { $word } with R parameters is a measuring call of an 840C; here it is { $cycle }.
+older-call-hint = Convert the program, then check user and machine data and calibrate the probe again.
+older-convert = Write { $cycles } and parameter names instead of the R parameters
+older-open-id = { $text }: is this the infeed _ID to measuring height? For this variant of { $cycles } the manual prints { $other } beside the same R parameter.
+older-open-sza = { $text }: is this the protection zone _SZA? For this variant of { $cycles } the manual prints { $other } beside the same R parameter.
+older-open-md = { $text }: is this the measuring direction _MD? For this variant of { $cycles } the manual prints { $other } beside the same R parameter.
+older-open-ra = { $text }: is this the number of the rotary axis _RA? For this variant of { $cycles } the manual prints { $other } beside the same R parameter.
+older-open-rf = { $text }: is this the feed _RF on the circular path? For this variant of { $cycles } the manual prints { $other } beside the same R parameter.
+older-open-hint = The drawing or the author knows. If the variant needs both, write the other one by hand.
+older-open-first = { $text }: is this the setpoint _SETVAL of { $cycles }? { $other } sets it too, to another value.
+older-open-second = { $text }: is this the setpoint _SETVAL of { $cycles }, and not { $other }? Both set it, to different values.
+older-setpoint-hint = The manual does not say which one counts. Choose one: the other is removed.
+older-answer = Write { $name } for { $text }
+older-unused = { $text } is not used by this variant of { $cycles }: the conversion leaves it out.
+older-result = { $name } is read after a measuring call: on the 840C it may hold a result. The manual names no equivalent.
+older-result-hint = Read the result from _OVR[] or _OVI[]; the help page of the cycle lists them.
+older-unclear = { $text }: which R parameters reach a measuring call of the 840C cannot be followed from here, so the program is not converted.
+older-unclear-hint = Assign an R parameter with a fixed number, outside loops and macros, then convert.
+older-subroutine = { $name } belongs to the measuring cycles: { $what }
+subroutine-result = shows the measuring result (today switched by _CHBIT[10]).
+subroutine-dialogue = asks for the parameters in dialogue before the measuring call (SW 3.2 to 4.5). Since then the values are written in the program; the call can be deleted. Up to SW 4.4 it needed the MMC interface (REM removed in line 2 of comic.nsk on an MMC 102).
+subroutine-interface = internal, interface of the measuring cycles. Programs do not call it.
+subroutine-messages = outputs messages, internal, up to SW 6.2. Gone from SW 6.3.
+subroutine-alarms = outputs alarms, internal, up to SW 6.2. Gone from SW 6.3.
+subroutine-transfer = transfers data, internal, from SW 4.5. Programs do not call it.
+subroutine-plausibility = checks the parameters, internal. Programs do not call it.
+subroutine-measuring = measuring functions, internal. Programs do not call it.
+subroutine-milling = measuring functions of the workpiece cycles on milling machines, internal. Programs do not call it.
+subroutine-tool = loads the tool offset, internal; up to SW 6.2 also the zero offset. Programs do not call it.
+subroutine-zero = loads the zero offset, internal, from SW 6.2. Programs do not call it.
+subroutine-approach = pre-positions on turning machines, internal. Programs do not call it.

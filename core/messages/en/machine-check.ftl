@@ -57,3 +57,23 @@ machine-need-start-length = At program start, the tool length offset is lost.
 machine-need-tool-change = At RESET and start, tool management does not keep the probe as the active tool.
 machine-need-basic-reset = The basic reference is lost at RESET.
 machine-need-length-type = On a lathe with drills or milling tools, their lengths count along the wrong axes; 2 is for these machines.
+
+# Definition files.
+
+definitions-none = Nothing differs from delivery.
+definitions-memory = Memory of user data
+definitions-share = { $name }: { NUMBER($bytes) } bytes (default { NUMBER($delivered) })
+definitions-share-channel = { $name }: { NUMBER($bytes) } bytes for each channel (default { NUMBER($delivered) })
+definitions-need = { $number } at least { NUMBER($value) } for the measuring cycles alone, { $source }
+definitions-insert = Replace the lines of the same names in the original { $files }: these lines are not the whole file.
+definitions-save = First save the user data that are active in the NC: activating a definition file resets their values. Activate GUD5, then GUD6, then GUD7_MC, then NC reset, then read the user data back in.
+definitions-older = Up to measuring cycles 6.02.16 the lines of GUD7_MC.DEF belong to GUD7.DEF.
+definitions-program = { $channels ->
+    [one] Then load { $name } and run it once in AUTOMATIC.
+   *[other] Then load { $name } and run it once in AUTOMATIC in each channel that measures: many of the data belong to the channel.
+  } Calibrate the probes afterwards.
+definitions-read = { $read ->
+    [one] One value read
+   *[other] { $read } values read
+  }, { $changed } changed, { $problems } not accepted.
+definitions-channels = A control has 1 to { $most } channels.

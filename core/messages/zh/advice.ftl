@@ -90,3 +90,37 @@ user-program-insert = 用于插入：每组行放在该循环的标签与其 M17
 user-program-changes = { $name } 是测量循环的参数：在 CYCLE198 中写入的值会使循环测量别的内容。
 user-program-before-line = { $cycle } 中测量之前
 user-program-behind-line = { $cycle } 中测量之后
+
+# 旧版本的程序。
+
+older-call = 带 R 参数的 { $word } 是 840C 的测量调用；在此对应 { $cycle }。
+older-call-hint = 请转换程序，然后检查用户数据和机床数据，并重新校准测头。
+older-convert = 用 { $cycles } 和参数名代替 R 参数
+older-open-id = { $text }：这是进刀深度 _ID 吗？对于 { $cycles } 的这个测量方式，手册在同一 R 参数旁还印有 { $other }。
+older-open-sza = { $text }：这是保护区 _SZA 吗？对于 { $cycles } 的这个测量方式，手册在同一 R 参数旁还印有 { $other }。
+older-open-md = { $text }：这是测量方向 _MD 吗？对于 { $cycles } 的这个测量方式，手册在同一 R 参数旁还印有 { $other }。
+older-open-ra = { $text }：这是回转轴编号 _RA 吗？对于 { $cycles } 的这个测量方式，手册在同一 R 参数旁还印有 { $other }。
+older-open-rf = { $text }：这是圆弧路径进给 _RF 吗？对于 { $cycles } 的这个测量方式，手册在同一 R 参数旁还印有 { $other }。
+older-open-hint = 请查图纸或询问编写者。测量方式同时需要两者时，请手动写入另一个参数。
+older-open-first = { $text }：这是 { $cycles } 的设定值 _SETVAL 吗？{ $other } 也给出设定值，但数值不同。
+older-open-second = { $text }：{ $cycles } 的设定值 _SETVAL 是它而不是 { $other } 吗？两者都给出设定值，数值不同。
+older-setpoint-hint = 手册没有说明哪一个有效。请选择一个：另一个会被删除。
+older-answer = 把 { $text } 写成 { $name }
+older-unused = { $cycles } 的这个测量方式不使用 { $text }：转换时省略。
+older-result = 测量调用之后读取 { $name }：在 840C 上其中可能是测量结果。手册没有给出对应的结果变量。
+older-result-hint = 请从 _OVR[] 或 _OVI[] 读取结果；循环的帮助页列出了这些变量。
+older-unclear = { $text }：从这里起无法确定哪些 R 参数会传到 840C 的测量调用，因此不转换程序。
+older-unclear-hint = 请在循环和宏之外给固定编号的 R 参数赋值，然后转换。
+older-subroutine = { $name } 属于测量循环：{ $what }
+subroutine-result = 显示测量结果画面（现在由 _CHBIT[10] 控制）。
+subroutine-dialogue = 在测量调用之前以对话方式输入参数（SW 3.2 至 4.5）。此后数值直接写在程序中，该调用可以删除。SW 4.4 及以下还需要 MMC 接口（在 MMC 102 上删除 comic.nsk 第 2 行的 REM）。
+subroutine-interface = 内部程序，测量循环的接口。程序不调用它。
+subroutine-messages = 内部程序，输出信息，至 SW 6.2。从 SW 6.3 起取消。
+subroutine-alarms = 内部程序，输出报警，至 SW 6.2。从 SW 6.3 起取消。
+subroutine-transfer = 内部程序，传送数据，从 SW 4.5 起。程序不调用它。
+subroutine-plausibility = 内部程序，检查参数。程序不调用它。
+subroutine-measuring = 内部程序，测量功能。程序不调用它。
+subroutine-milling = 内部程序，铣床工件测量循环的测量功能。程序不调用它。
+subroutine-tool = 内部程序，装载刀具补偿；至 SW 6.2 还装载零点偏移。程序不调用它。
+subroutine-zero = 内部程序，装载零点偏移，从 SW 6.2 起。程序不调用它。
+subroutine-approach = 内部程序，在车床上预定位。程序不调用它。

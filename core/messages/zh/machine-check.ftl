@@ -57,3 +57,17 @@ machine-need-start-length = 程序启动时丢失刀具长度补偿。
 machine-need-tool-change = 复位和启动时，刀具管理不会将测头保持为当前刀具。
 machine-need-basic-reset = 复位时丢失基本参考。
 machine-need-length-type = 在带钻头或铣刀的车床上，刀具长度沿错误的轴计算；2 用于此类机床。
+
+# 定义文件。
+
+definitions-none = 与出厂状态没有差别。
+definitions-memory = 用户数据存储器
+definitions-share = { $name }：{ NUMBER($bytes) } 字节（出厂时 { NUMBER($delivered) }）
+definitions-share-channel = { $name }：每个通道 { NUMBER($bytes) } 字节（出厂时 { NUMBER($delivered) }）
+definitions-need = 仅测量循环就要求 { $number } 至少为 { NUMBER($value) }，{ $source }
+definitions-insert = 在出厂的 { $files } 中替换同名的行：这些行不是完整的文件。
+definitions-save = 请先保存 NC 中有效的用户数据：激活定义文件会复位其数值。依次激活 GUD5、GUD6、GUD7_MC，然后 NC 复位，再读回用户数据。
+definitions-older = 测量循环 6.02.16 及以下版本，GUD7_MC.DEF 的行属于 GUD7.DEF。
+definitions-program = 然后装载 { $name }，在进行测量的通道（{ $channels } 个）中以自动方式各运行一次：许多数据属于通道。之后校准测头。
+definitions-read = 读入 { $read } 个数值，其中 { $changed } 个有改动，{ $problems } 个未被接受。
+definitions-channels = 控制系统有 1 至 { $most } 个通道。

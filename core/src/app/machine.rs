@@ -86,19 +86,29 @@ pub struct MachineField {
 /// # Errors
 /// The machine has no such G function of units.
 pub fn machine(asked: MachineRequest) -> Result<MachineView, Error> {
-    let setup = start(asked.control, asked.setup)?.setup;
-    let basic = asked.basic.or_else(|| chosen(&asked.values));
+    view(asked.control, asked.setup, asked.basic, &[asked.values])
+}
+
+/// A SINUMERIK machine with values, one group after the other.
+pub(super) fn with_values(setup: Option<Machine>, groups: &[Typed]) -> Result<MachineView, Error> {
+    view(Dialect::Sinumerik, setup, None, groups)
+}
+
+/// The machine with these groups of values; the problems are those of the last one.
+fn view(dialect: Dialect, setup: Option<Machine>, basic: Option<Units>, typed: &[Typed]) -> Result<MachineView, Error> {
+    let setup = start(dialect, setup)?.setup;
+    let basic = basic.or_else(|| typed.iter().find_map(chosen));
     let mut control = match basic {
         Some(basic) if basic != setup.control.basic_units => rebuilt(&setup.control, basic),
         _ => setup.control,
     };
-    let delivered = delivery_in(asked.control, control.basic_units);
-    let problems = write(&mut control, &delivered, &asked.values);
+    let delivered = delivery_in(dialect, control.basic_units);
+    let problems = typed.iter().map(|typed| write(&mut control, &delivered, typed)).last();
     Ok(MachineView {
         groups: groups(&control).into_iter().map(|one| group(one, &control, &delivered)).collect(),
         basic: control.basic_units,
         data: data(&control, &delivered),
-        problems,
+        problems: problems.unwrap_or_default(),
         assignments: assignments(&control, &delivered),
         definitions: definitions(&control, &delivered),
     })

@@ -12,6 +12,7 @@ mod braking;
 mod catalogue;
 mod certainty;
 mod changes;
+mod definitions;
 mod edit;
 mod encoding;
 mod equip;
@@ -22,6 +23,7 @@ mod help;
 mod jog;
 mod machine;
 mod machine_check;
+mod older;
 mod outcome;
 mod places;
 mod practice;
@@ -59,6 +61,10 @@ pub use certainty::{
     WholeCertaintyRequest, certainty, certainty_of, whole_certainty,
 };
 pub use changes::Change;
+pub use definitions::{
+    DefinitionsRequest, DefinitionsText, DefinitionsView, MemoryNeed, MemoryShare, ReadBack, ReadBackRequest,
+    definitions, read_back,
+};
 pub use edit::{
     Assignment, ChangeRequest, Changed, ConvertRequest, Converted, CureRequest, CuredAll, Replaced, Variable, change,
     convert, cure,
@@ -75,6 +81,7 @@ pub use machine_check::{
     ExportedFile, MachineAxis, MachineCheckRequest, MachineCheckView, MachineFault, MachineLimit, MachinePlace,
     machine_check,
 };
+pub use older::{OlderCall, OlderName, OlderParameter, OlderRequest, OlderView, answers, older};
 pub use outcome::{Measured, Outcome, Raised};
 pub use practice::{
     PracticeActivation, PracticeApproach, PracticeArea, PracticeCall, PracticeCallRequest, PracticeChoice,

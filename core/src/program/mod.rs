@@ -19,6 +19,7 @@ pub mod of_control;
 mod own_words;
 pub mod places;
 pub mod probe_test;
+pub mod r_parameters;
 pub mod revise;
 pub mod standard;
 pub mod tools;

@@ -288,7 +288,7 @@ fn has_numbers(name: &str) -> bool {
 }
 
 /// The name of an R parameter without brackets: `R[2]` is `R2`.
-fn plain_name(name: &str) -> String {
+pub(super) fn plain_name(name: &str) -> String {
     let inside = name.strip_prefix("R[").and_then(|rest| rest.strip_suffix(']'));
     let inside = inside.filter(|inside| inside.bytes().all(|byte| byte.is_ascii_digit()));
     inside.map_or_else(|| name.to_owned(), |number| format!("R{number}"))

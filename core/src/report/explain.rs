@@ -1,13 +1,14 @@
 //! Answers to somebody who asks from a terminal, plain text: a cycle, one of its variants, a parameter, a result, a
 //! datum of the machine.
 
-use crate::catalogue::CYCLES;
 use crate::catalogue::newer::LISTS;
 use crate::catalogue::newer::arguments::{Argument, Evidence};
+use crate::catalogue::{CYCLES, r_parameters, subroutines};
 use crate::control::setting_data::SETTING_DATA;
 use crate::entry::{Cycle, Variant};
 use crate::manual::Cited;
 use crate::message::Message;
+use crate::name::Name;
 use crate::report::{help, machine};
 use crate::words::Words;
 use std::fmt::Write;
@@ -143,6 +144,42 @@ pub fn setting_datum(asked: &str, words: &Words) -> String {
         older => writeln!(text, "  {}", words.text(&Message::new("argument-older").text("name", older.to_owned()))),
     };
     text
+}
+
+/// An R parameter of the 840C (`R19`), a measuring call there (`L977`), or a subprogram of the measuring cycles that
+/// older programs call (`CYCLE103`). Empty: it is none.
+pub fn older(asked: &str, words: &Words) -> String {
+    let asked = asked.to_ascii_uppercase();
+    let told = |key: &'static str, name: &str, value: &str| {
+        words.text(&Message::new(key).text("name", name.to_owned()).text("what", value.to_owned()))
+    };
+    if let Some(one) = subroutines::find(&asked) {
+        return format!("{}\n  {}\n", told("older-subroutine", one.name, one.key), Cited(one.source));
+    }
+    if let Some(cycle) = r_parameters::called(&asked) {
+        let mut text = format!("{}\n", told("older-cycle", &asked, cycle.name));
+        for number in r_parameters::numbers() {
+            let names = r_parameters::printed(cycle, number).filter_map(|name| cycle.param(&name));
+            for param in names {
+                let label = words.key(format!("param-{}", param.key));
+                let _ = writeln!(text, "  {:>3}  {}: {label}", format!("R{number}"), param.name);
+            }
+        }
+        return text;
+    }
+    let Some(number) = r_parameters::number(&asked) else { return String::new() };
+    let mut names: Vec<(Name, Vec<&str>)> = Vec::new();
+    for cycle in CYCLES.iter().filter(|one| r_parameters::is_printed(one)) {
+        for name in r_parameters::printed(cycle, number).filter(|name| cycle.param(name).is_some()) {
+            match names.iter_mut().find(|(known, _)| *known == name) {
+                Some((_, cycles)) => cycles.push(cycle.name),
+                None => names.push((name, vec![cycle.name])),
+            }
+        }
+    }
+    let line = |(name, cycles): &(Name, Vec<&str>)| format!("  {name}: {}", cycles.join(", "));
+    let lines: Vec<String> = names.iter().map(line).collect();
+    format!("{}\n{}\n", told("older-parameter", &asked, ""), lines.join("\n"))
 }
 
 /// Label and, where there is one, help.

@@ -14,6 +14,8 @@ import type {
   Converted,
   CuredAll,
   CureRequest,
+  DefinitionsRequest,
+  DefinitionsView,
   Dialect,
   EquipRequest,
   EquipView,
@@ -32,6 +34,8 @@ import type {
   PracticeProgram,
   PracticeRequest,
   PracticeView,
+  ReadBack,
+  ReadBackRequest,
   ReadRequest,
   ReadView,
   Recognised,
@@ -124,6 +128,9 @@ export interface ProgramCore extends FormCore {
   /** `why`: nothing of it can be checked. */
   repeat(request: RepeatRequest): RepeatView | { why: string };
   userPrograms(request: UserProgramsRequest): UserProgramsView | { why: string };
+  definitions(request: DefinitionsRequest): DefinitionsView | { why: string };
+  /** The machine with the values of files; `why`: they give none. */
+  readBack(request: ReadBackRequest): ReadBack | { why: string };
   machineCheck(request: MachineCheckRequest): MachineCheckView | { why: string };
   /** What a series begins with; `why`: the machine cannot be. */
   seriesStart(request: SeriesQuestion): SeriesStart | { why: string };
@@ -319,6 +326,8 @@ export async function loadProgramCore(): Promise<ProgramCore> {
     braking: request => orWhy<BrakingView>(() => wasm.braking(JSON.stringify(request))),
     repeat: request => orWhy<RepeatView>(() => wasm.repeat(JSON.stringify(request))),
     userPrograms: request => orWhy<UserProgramsView>(() => wasm.user_programs(JSON.stringify(request))),
+    definitions: request => orWhy<DefinitionsView>(() => wasm.definitions(JSON.stringify(request))),
+    readBack: request => orWhy<ReadBack>(() => wasm.read_back(JSON.stringify(request))),
     machineCheck: request => orWhy<MachineCheckView>(() => wasm.machine_check(JSON.stringify(request))),
     seriesStart: request => orWhy<SeriesStart>(() => wasm.series_start(JSON.stringify(request))),
     machine: request => JSON.parse(call("machine", () => wasm.machine(JSON.stringify(request)))) as MachineView,

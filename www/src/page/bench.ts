@@ -10,7 +10,7 @@ import { el, on, setText, show } from "../dom";
 import type { EditorPlace } from "../editor/place";
 import { icon } from "../icons";
 import type { Scanner } from "../scan/scanner";
-import type { State } from "../state/state";
+import { machine as machineIn, type State } from "../state/state";
 import type { Rest, Store } from "../state/store";
 import { language, t } from "../texts";
 import { behind } from "../views/behind";
@@ -137,6 +137,12 @@ export function createBench(parts: Parts): Bench {
     const has = core();
     if (has) void import("../views/user-programs").then(({ openUserPrograms }) => openUserPrograms(has, stop.signal));
   };
+  const definitions = (): void => {
+    const has = core();
+    if (!has) return;
+    const ofMachine = { setup: () => machineIn(store.state), take: actions.data };
+    void import("../views/definitions").then(({ openDefinitions }) => openDefinitions(has, ofMachine, stop.signal));
+  };
   const asked = (): ProgramQuestion | null => {
     if (!shown) return null;
     const { state, derived } = shown;
@@ -158,6 +164,7 @@ export function createBench(parts: Parts): Bench {
     machineCheck: checkMachine,
     repeat,
     userPrograms,
+    definitions,
     series,
     importSetup: () => setupFile.click(),
     exportSetup: () => exportSetup(store, shown?.derived.view.setup),
@@ -168,7 +175,8 @@ export function createBench(parts: Parts): Bench {
   const later = behind(
     pieces => {
       pieces.createSheet(stage, () => shown, stop.signal);
-      const machineData = pieces.createMachineData(store, actions, core, { check: checkMachine, repeat, userPrograms });
+      const ways = { check: checkMachine, repeat, userPrograms, definitions };
+      const machineData = pieces.createMachineData(store, actions, core, ways);
       const difference = pieces.createDifference(actions);
       const palette = pieces.createPalette(
         store,

@@ -25,6 +25,7 @@ export interface Does {
   machineCheck(): void;
   repeat(): void;
   userPrograms(): void;
+  definitions(): void;
   series(): void;
   importSetup(): void;
   exportSetup(): void;
@@ -129,6 +130,7 @@ function ofView(
     { id: "machine-check", title: t("exported-title"), run: does.machineCheck },
     { id: "repeat", title: t("repeat-title"), run: does.repeat },
     { id: "user-programs", title: t("user-program-title"), run: does.userPrograms },
+    { id: "definitions", title: t("definitions-title"), run: does.definitions },
     { id: "series", title: t("runs-title"), run: does.series },
     { id: "twin", title: t("twin-open"), run: () => store.update({ snippet: { twin: !snippet.twin } }) },
     { id: "link", title: t("link-copy"), run: () => void copyLink(store) },

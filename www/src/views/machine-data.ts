@@ -75,12 +75,12 @@ function citedText({ name, key, set, source }: MachineField): string {
 const choiceText = (key: string, value: number): string => `${plain(value)} · ${optional(`${key}.v${value}`)}`;
 
 /** Ways from here: `check` holds what a control exported against what measuring needs, `repeat` tests a probe,
- * `userPrograms` writes lines around the cycles. */
+ * `userPrograms` writes lines around the cycles, `definitions` those of the definition files. */
 export function createMachineData(
   store: Store,
   actions: Actions,
   core: () => ProgramCore | null,
-  ways: { check(): void; repeat(): void; userPrograms(): void },
+  ways: { check(): void; repeat(): void; userPrograms(): void; definitions(): void },
 ): MachineData {
   const search = el("input", {
     type: "search",
@@ -99,7 +99,7 @@ export function createMachineData(
   const cited = el("p", { class: "datum-cited", id: "machine-data-cited", "aria-live": "polite" });
   const close = el("button", { type: "button", class: "primary" }, t("machine-data-close"));
   const assignments = el("button", { type: "button" }, t("machine-data-assignments"));
-  const definitions = el("button", { type: "button" }, t("machine-data-definitions"));
+  const definitions = el("button", { type: "button" }, t("definitions-title"));
   const reset = el("button", { type: "button" }, t("machine-data-reset"));
   const checking = el("button", { type: "button" }, t("exported-title"));
   const repeating = el("button", { type: "button" }, t("repeat-title"));
@@ -173,7 +173,6 @@ export function createMachineData(
     render(html`${own}${shown.length ? groups : own === nothing ? empty : nothing}`, list);
     reset.disabled = all.every(field => !isChanged(field));
     assignments.disabled = view.assignments === "";
-    definitions.disabled = view.definitions === "";
   }
   const isChanged = (field: MachineField): boolean => differs(field) || field.name in typed;
 
@@ -233,7 +232,10 @@ export function createMachineData(
     ways.userPrograms();
   });
   on(assignments, "click", () => void copyText(view?.assignments ?? "", store, "notice-copied"));
-  on(definitions, "click", () => void copyText(view?.definitions ?? "", store, "notice-copied"));
+  on(definitions, "click", () => {
+    dialog.close();
+    ways.definitions();
+  });
   on(reset, "click", () => {
     const names = view?.groups.flatMap(group => group.fields.filter(differs).map(field => field.name)) ?? [];
     take(ask({ values: Object.fromEntries(names.map(name => [name, ""])) }));

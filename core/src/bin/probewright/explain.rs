@@ -6,7 +6,7 @@ use probewright_core::catalogue::CYCLES;
 use probewright_core::entry::Cycle;
 use probewright_core::jog::masks;
 use probewright_core::message::Message;
-use probewright_core::report::explain::{arguments, cycle, datum, list, setting_datum, variant};
+use probewright_core::report::explain::{arguments, cycle, datum, list, older, setting_datum, variant};
 use probewright_core::report::findings::finding;
 use probewright_core::report::foreign;
 use probewright_core::report::jog::explained;
@@ -24,7 +24,7 @@ pub fn explain(name: &str, number: Option<i64>, words: &Words, out: &mut dyn Wri
         (None, None) => {
             let newer = arguments(name, words) + &list(name, words) + &setting_datum(name, words);
             let foreign = foreign::cycle(name, words) + &foreign::parameter(name, words);
-            datum(name, words) + &finding(name, words) + &newer + &foreign
+            datum(name, words) + &finding(name, words) + &newer + &older(name, words) + &foreign
         }
     };
     if text.is_empty() {

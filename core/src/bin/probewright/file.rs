@@ -95,6 +95,13 @@ pub fn program(path: &Path) -> Result<Vec<u8>, Problem> {
     })
 }
 
+/// A part program as it is, except in UTF-16, where a character is no byte: that comes in UTF-8.
+pub fn as_it_is(path: &Path) -> Result<Vec<u8>, Problem> {
+    let source = limited(path, LARGEST_PROGRAM)?;
+    let encoding = recognise(&source).map_err(|what| wrong_file(path, Message::new(what)))?;
+    if encoding.to_string().starts_with("utf-16") { program(path) } else { Ok(source) }
+}
+
 /// The table that puts a text into UTF-8; none: it is.
 fn table(encoding: Encoding) -> Option<&'static encoding_rs::Encoding> {
     let label = encoding.to_string();

@@ -4,6 +4,7 @@ mod alarms;
 mod braking;
 mod check;
 mod cycles;
+mod definitions;
 mod document;
 mod explain;
 mod file;
@@ -14,6 +15,7 @@ mod joined;
 mod log;
 mod lsp;
 mod machine;
+mod older;
 mod progress;
 mod protocol;
 mod read;
@@ -70,6 +72,8 @@ enum Command {
     Braking(braking::Arguments),
     Repeat(repeat::Arguments),
     UserPrograms(user_programs::Arguments),
+    Older(older::Arguments),
+    Definitions(definitions::Arguments),
     Lsp,
 }
 
@@ -121,6 +125,8 @@ fn run_command(command: Command, lang: Option<&str>, words: &Words, out: &mut dy
         Command::Test(asked) => test::test(&asked, words, out),
         Command::Jog(asked) => jog::jog(&asked, words, out),
         Command::UserPrograms(asked) => user_programs::user_programs(&asked, words, out),
+        Command::Definitions(asked) => definitions::definitions(&asked, words, out),
+        Command::Older(asked) => older::older(&asked, words, out),
         Command::Repeat(asked) => repeat::repeat(&asked, words, out),
         Command::Braking(asked) => braking::braking(&asked, words, out),
         Command::Machine(asked) => machine::machine(&asked, words, out),

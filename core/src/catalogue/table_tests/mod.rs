@@ -12,6 +12,7 @@ mod logging;
 mod messages;
 mod nct;
 mod params;
+mod r_parameters;
 mod reasons;
 mod results;
 

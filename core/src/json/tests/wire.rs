@@ -122,6 +122,10 @@ fn the_types_of_the_page_are_those_of_the_core() {
     types.visit::<RepeatRequest>();
     types.visit::<RepeatView>();
     types.visit::<UserProgramsRequest>();
+    types.visit::<DefinitionsRequest>();
+    types.visit::<DefinitionsView>();
+    types.visit::<ReadBackRequest>();
+    types.visit::<ReadBack>();
     types.visit::<UserProgramsView>();
     types.visit::<MachineCheckRequest>();
     types.visit::<MachineCheckView>();

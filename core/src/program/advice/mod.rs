@@ -5,6 +5,7 @@ mod behind;
 mod generation;
 mod inherited;
 mod nct;
+mod older;
 mod read_back;
 mod subprograms;
 mod unsaid;
@@ -55,7 +56,8 @@ impl Seen<'_> {
 pub fn advice(program: &Program, sites: &[CallSite], control: &Control) -> Vec<Diagnostic> {
     let mut found = Vec::new();
     let programs = programs(program);
-    subprograms::outside(program, &programs, &mut found);
+    let known = older::look(program, &programs, &mut found);
+    subprograms::outside(program, &programs, &known, &mut found);
     subprograms::misnamed(program, &programs, &mut found);
     if program.grammar().by_address {
         nct::look(program, &programs, sites, &mut found);

@@ -8,6 +8,7 @@ use crate::program::calls::CallSite;
 use crate::program::flow::{LEVELS, before, callers, named_outside};
 use crate::syntax::programs::{Programs, bare, numbered};
 use crate::syntax::{Block, Program, Word, WordKind};
+use std::collections::BTreeSet;
 
 /// Most names that are told.
 const NAMES: usize = 8;
@@ -27,11 +28,13 @@ pub fn misnamed(program: &Program, programs: &Programs, found: &mut Vec<Diagnost
     }
 }
 
-/// The programs that the text calls and does not hold, at the first call of one, in the words of a run without them.
-pub fn outside(program: &Program, programs: &Programs, found: &mut Vec<Diagnostic>) {
+/// The programs that the text calls and does not hold, at the first call of one, in the words of a run without them;
+/// `known`: the first bytes of calls of which something else is told already.
+pub fn outside(program: &Program, programs: &Programs, known: &BTreeSet<u32>, found: &mut Vec<Diagnostic>) {
     let (mut first, mut names) = (None, Vec::new());
     for block in &program.blocks {
-        for (span, name) in missing(program, programs, block) {
+        let missing = missing(program, programs, block).into_iter();
+        for (span, name) in missing.filter(|(span, _)| !known.contains(&span.start)) {
             first = first.or(Some(span));
             if !names.contains(&name) && names.len() <= NAMES {
                 names.push(name);

@@ -16,7 +16,7 @@ fn assigned(datum: &NctDatum) -> bool {
 }
 
 /// Names of the user data that differ, in the order of the tables.
-fn differing(control: &Control, delivered: &Control) -> Vec<String> {
+pub(super) fn differing(control: &Control, delivered: &Control) -> Vec<String> {
     let names = control.data.keys().chain(delivered.data.keys());
     let mut names: Vec<String> =
         names.filter(|name| of_machine(name) && value(control, name) != value(delivered, name)).cloned().collect();
@@ -30,7 +30,7 @@ fn differing(control: &Control, delivered: &Control) -> Vec<String> {
 }
 
 /// A datum; one that was never set is 0 or empty.
-fn value(control: &Control, name: &str) -> Value {
+pub(super) fn value(control: &Control, name: &str) -> Value {
     let text = gud::named(name).is_some_and(Gud::text);
     match control.data.get(name) {
         Some(value) => value.clone(),
@@ -39,7 +39,7 @@ fn value(control: &Control, name: &str) -> Value {
     }
 }
 
-fn written(value: &Value) -> String {
+pub(super) fn written(value: &Value) -> String {
     match value {
         Value::Number(value) => value.to_string(),
         Value::Text(text) => format!("\"{text}\""),
@@ -98,7 +98,7 @@ fn definition(control: &Control, gud: &Gud) -> String {
 }
 
 /// Indices of every element, the last one counting first.
-fn places(sizes: &[usize]) -> Vec<Vec<usize>> {
+pub(super) fn places(sizes: &[usize]) -> Vec<Vec<usize>> {
     sizes.iter().fold(vec![Vec::new()], |places, size| {
         let longer = |place: &Vec<usize>| {
             let place = place.clone();

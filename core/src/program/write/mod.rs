@@ -1,5 +1,6 @@
 //! From values to program text: assignments, then the call; a call with arguments; on NCT one block of addresses.
 
+pub mod definition_files;
 mod list;
 pub mod machine;
 mod support;

@@ -3,6 +3,7 @@
 use super::known::{Document, Known, Valued, name_around};
 use crate::alarms;
 use probewright_core::app;
+use probewright_core::diagnostic::Code;
 use probewright_core::form::{Choice, Entry, Field, Group};
 use probewright_core::message::Message;
 use probewright_core::program::calls::CallSite;
@@ -11,6 +12,9 @@ use probewright_core::report::alarms::named;
 use probewright_core::report::explain;
 use probewright_core::report::findings::finding;
 use probewright_core::words::Words;
+
+/// The finding of a measuring call of an 840C.
+const OLDER: Code = Code::Own(210);
 
 /// What there is to say at a byte, in the layout of `probewright explain`: lines, those of a list two blanks in.
 pub fn at(document: &Document, known: &Known, at: u32, words: &Words) -> Option<String> {
@@ -24,10 +28,17 @@ pub fn at(document: &Document, known: &Known, at: u32, words: &Words) -> Option<
         return Some(call(known, site, words));
     }
     let name = name_around(document.text.as_str(), at as usize);
-    let told = explain::datum(name, words) + &finding(name, words);
+    let told = explain::datum(name, words) + &finding(name, words) + &of_older(known, name, words);
     let alarm = || named(name, words).or_else(|| named(&message_around(document, at as usize)?, words));
     let alarm = || alarm().map(|told| alarms::explained(&told, words));
     if told.is_empty() { alarm() } else { Some(told) }.filter(|_| !name.is_empty())
+}
+
+/// An R parameter or a measuring call in a program with measuring calls of an 840C; a subprogram of older programs.
+fn of_older(known: &Known, name: &str, words: &Words) -> String {
+    let is_840c = || known.found.iter().any(|one| one.code == OLDER);
+    let counts = name.to_ascii_uppercase().starts_with("CYCLE") || is_840c();
+    if counts { explain::older(name, words) } else { String::new() }
 }
 
 /// The text for the operator or alarm of several words that a byte is in: `PROBE FAIL`.

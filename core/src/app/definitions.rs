@@ -1,0 +1,302 @@
+//! The definition files of a machine: the lines that differ from delivery, the program that assigns its values, the
+//! memory that both need; and values read back from them.
+
+use super::Error;
+use super::machine::{MachineView, with_values};
+use super::machine_check::{Exported, ExportedFile};
+use super::start::{Machine, start};
+use crate::control::gud::{self, Block, Gud};
+use crate::control::needs::{GUD_MEMORY, GUD_MEMORY_SOURCE, GUD_VALUES, NEEDS, Use};
+use crate::control::{Control, Value, delivery_in};
+use crate::diagnostic::Severity;
+use crate::dialect::Dialect;
+use crate::entry::Typed;
+use crate::manual::Cited;
+use crate::message::Message;
+use crate::program::write::definition_files::{FILES, bytes, is_sized, lines, size, values};
+use crate::refused::Path;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeSet;
+
+/// A machine, and how many channels measure on it.
+#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
+#[serde(default)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
+pub struct DefinitionsRequest {
+    /// Machine; absent: the core's own as it is.
+    pub setup: Option<Machine>,
+    /// Channels; absent: one.
+    pub channels: Option<u32>,
+    /// Whether it measures in JOG too; absent: it does.
+    pub jog: Option<bool>,
+}
+
+/// What goes into the files of a machine.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct DefinitionsView {
+    /// The files of which lines differ, and behind them the program of value assignments.
+    pub files: Vec<DefinitionsText>,
+    /// Memory of each array whose size is chosen.
+    pub memory: Vec<MemoryShare>,
+    /// What the machine data for it have to be, for these channels.
+    pub needs: Vec<MemoryNeed>,
+    /// In which order it is done, and what should be known.
+    pub notes: Vec<Message>,
+}
+
+/// Lines for a file.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct DefinitionsText {
+    /// The file on the control.
+    pub name: &'static str,
+    /// Name under which the lines are saved.
+    pub saved: &'static str,
+    /// The lines.
+    pub text: String,
+}
+
+/// Memory of an array.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct MemoryShare {
+    /// Name and sizes, `_TP[2,10]`.
+    pub name: String,
+    /// Whether each channel needs it.
+    pub channel: bool,
+    /// Bytes of its values.
+    pub bytes: usize,
+    /// Bytes as delivered.
+    pub delivered: usize,
+}
+
+/// A machine datum for the memory of user data.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct MemoryNeed {
+    /// Its number, `MD18150`.
+    pub number: &'static str,
+    /// The least value for the measuring cycles alone.
+    pub value: f64,
+    /// Place in the manual.
+    pub source: Cited,
+}
+
+/// Channels that a control has at most.
+const CHANNELS: u32 = 10;
+
+/// The lines, the program and the memory.
+///
+/// # Errors
+/// The machine has no such G function of units, or there are no such channels.
+pub fn definitions(asked: DefinitionsRequest) -> Result<DefinitionsView, Error> {
+    let channels = asked.channels.unwrap_or(1);
+    if !(1..=CHANNELS).contains(&channels) {
+        return Err(Error::new("definitions-channels", Path::of(&["channels"])).number("most", f64::from(CHANNELS)));
+    }
+    let control = start(Dialect::Sinumerik, asked.setup)?.setup.control;
+    let delivered = delivery_in(Dialect::Sinumerik, control.basic_units);
+    let jog = asked.jog.unwrap_or(true);
+    let wanted = FILES.iter().filter(|file| jog || file.block != Block::Gud7);
+    let saved = |name: &str| SAVED.iter().find(|(of, _)| *of == name).map_or("", |(_, saved)| saved);
+    let text = |name, text| DefinitionsText { name, saved: saved(name), text };
+    let mut files: Vec<DefinitionsText> =
+        wanted.map(|file| text(file.name, lines(file, &control, &delivered))).collect();
+    files.push(text(PROGRAM, values(&control, &delivered)));
+    files.retain(|file| !file.text.is_empty());
+    let memory = memory(&control, &delivered, jog);
+    let needs = needs(&memory, channels, jog);
+    Ok(DefinitionsView { notes: notes(&files, channels), files, memory, needs })
+}
+
+/// The program of value assignments.
+const PROGRAM: &str = "PW_MEAS_VALUES.MPF";
+/// Names under which lines are saved: no name of a delivered file, which they do not replace.
+const SAVED: [(&str, &str); 4] = [
+    ("GUD5.DEF", "GUD5-lines.txt"),
+    ("GUD6.DEF", "GUD6-lines.txt"),
+    ("GUD7_MC.DEF", "GUD7_MC-lines.txt"),
+    (PROGRAM, PROGRAM),
+];
+
+/// What is to be done, in its order (B:13262-13292, B:14157-14168).
+fn notes(files: &[DefinitionsText], channels: u32) -> Vec<Message> {
+    let names: Vec<&str> = files.iter().map(|file| file.name).filter(|name| *name != PROGRAM).collect();
+    let mut notes = Vec::new();
+    if !names.is_empty() {
+        notes.push(Message::new("definitions-insert").text("files", names.join(", ")));
+        notes.push(Message::new("definitions-save"));
+    }
+    if names.contains(&"GUD7_MC.DEF") {
+        notes.push(Message::new("definitions-older"));
+    }
+    if files.iter().any(|file| file.name == PROGRAM) {
+        notes.push(Message::new("definitions-program").text("name", PROGRAM).number("channels", f64::from(channels)));
+    }
+    notes
+}
+
+/// The arrays whose size is chosen, in the order of the files.
+fn memory(control: &Control, delivered: &Control, jog: bool) -> Vec<MemoryShare> {
+    let wanted = |gud: &&Gud| is_sized(gud) && (jog || gud.block != Block::Gud7);
+    let share = |gud: &Gud| {
+        let sizes = size(control, gud);
+        let index: Vec<String> = sizes.iter().map(usize::to_string).collect();
+        let of = |sizes: &[usize]| sizes.iter().product::<usize>() * bytes(gud.kind);
+        let delivered = of(&size(delivered, gud));
+        let name = format!("{}[{}]", gud.name, index.join(","));
+        MemoryShare { name, channel: gud.channel, bytes: of(&sizes), delivered }
+    };
+    gud::all().filter(wanted).map(share).collect()
+}
+
+/// What machine data have to be. The manual's figures are those of delivery: arrays that are larger come on top,
+/// smaller ones are not taken off, as the figures are approximate (B:12959).
+fn needs(memory: &[MemoryShare], channels: u32, jog: bool) -> Vec<MemoryNeed> {
+    let more = |channel: bool| {
+        let shares = memory.iter().filter(|share| share.channel == channel);
+        let (bytes, delivered) = shares.fold((0, 0), |sum, share| (sum.0 + share.bytes, sum.1 + share.delivered));
+        bytes.saturating_sub(delivered) as f64 / 1024.0
+    };
+    let channels = f64::from(channels);
+    let [control, each, of_jog] = GUD_MEMORY;
+    let each = each + if jog { of_jog } else { 0.0 } + more(true);
+    let values = (control + more(false) + channels * each).ceil();
+    let of_need = |number: &'static str| {
+        let limits = NEEDS.iter().filter(|need| need.number == number).flat_map(|need| need.limits);
+        let counts = limits.filter(|limit| limit.severity == Severity::Error && (jog || limit.of != Use::Jog));
+        let largest = counts.max_by(|one, other| one.value.total_cmp(&other.value))?;
+        Some(MemoryNeed { number, value: largest.value, source: Cited(largest.source) })
+    };
+    let mut needs: Vec<MemoryNeed> = ["MD18118", "MD18120", "MD18130"].into_iter().filter_map(of_need).collect();
+    needs.push(MemoryNeed { number: GUD_VALUES, value: values, source: Cited(GUD_MEMORY_SOURCE) });
+    needs
+}
+
+/// Files of a control whose values a machine is to have.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
+pub struct ReadBackRequest {
+    /// Machine; absent: the core's own as it is.
+    pub setup: Option<Machine>,
+    /// Definition files, programs of value assignments, start-up files.
+    pub files: Vec<ExportedFile>,
+}
+
+/// A machine with the values of files.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct ReadBack {
+    /// The machine now; values that it cannot have are its problems.
+    pub machine: MachineView,
+    /// Data of the machine that the files give.
+    pub read: usize,
+    /// How many of them are another value than before.
+    pub changed: usize,
+    /// In words.
+    pub ending: Message,
+}
+
+/// Gives a machine the values of files; those of the first channel where there are several.
+///
+/// # Errors
+/// Nothing of it is a datum of the machine.
+pub fn read_back(asked: ReadBackRequest) -> Result<ReadBack, Error> {
+    let mut given = Exported::default();
+    for (file, one) in asked.files.iter().enumerate() {
+        given.add(file, &one.text);
+    }
+    let of_first = given.data.keys().filter(|(_, channel)| *channel < 2);
+    let typed: Typed =
+        of_first.filter_map(|(name, _)| Some((name.clone(), text(&given.get(name, 1)?.value)))).collect();
+    let before = with_values(asked.setup.clone(), &[])?;
+    // how many there are comes first: it decides which others there are
+    let machine = with_values(asked.setup, &[typed.clone(), typed.clone()])?;
+    let there: BTreeSet<&str> =
+        machine.groups.iter().flat_map(|group| &group.fields).map(|field| field.setting.name.as_str()).collect();
+    let read = typed.keys().filter(|name| there.contains(name.as_str())).count();
+    if read == 0 {
+        return Err(Error::new("machine-check-nothing", Path::default()));
+    }
+    let names: BTreeSet<&String> = before.data.keys().chain(machine.data.keys()).collect();
+    let changed = names.into_iter().filter(|name| before.data.get(*name) != machine.data.get(*name)).count();
+    let ending = Message::new("definitions-read")
+        .number("read", read as f64)
+        .number("changed", changed as f64)
+        .number("problems", machine.problems.len() as f64);
+    Ok(ReadBack { read, changed, ending, machine })
+}
+
+/// A value as it is typed.
+fn text(value: &Value) -> String {
+    match value {
+        Value::Number(number) => number.to_string(),
+        Value::Text(text) => text.clone(),
+    }
+}
+
+#[cfg(all(test, feature = "json"))]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+    use crate::app::start::Machine;
+    use serde_json::json;
+
+    fn own(data: serde_json::Value) -> Option<Machine> {
+        Some(serde_json::from_value(json!({ "own": { "data": data } })).unwrap())
+    }
+
+    fn view(data: serde_json::Value, channels: u32, jog: bool) -> DefinitionsView {
+        definitions(DefinitionsRequest { setup: own(data), channels: Some(channels), jog: Some(jog) }).unwrap()
+    }
+
+    fn memory(view: &DefinitionsView) -> f64 {
+        view.needs.iter().find(|need| need.number == GUD_VALUES).unwrap().value
+    }
+
+    // oracle: manual B:12971-12974 (7 + 2 * 4 + 2 * 0.5 KB), hand (9999 memories of 8 bytes instead of 20, a channel)
+    #[test]
+    fn memory_is_that_of_the_manual_and_of_larger_arrays() {
+        let delivered = view(json!({}), 2, true);
+        assert!(delivered.files.is_empty());
+        assert_eq!(memory(&delivered), 16.0);
+        assert_eq!(memory(&view(json!({}), 1, false)), 11.0);
+        let large = view(json!({ "_EVMVNUM[0]": 9999 }), 2, true);
+        assert_eq!(memory(&large), (16.0_f64 + 2.0 * (9999.0 - 20.0) * 8.0 / 1024.0).ceil());
+        let share = large.memory.iter().find(|share| share.name == "_EV[9999]").unwrap();
+        assert_eq!((share.channel, share.bytes, share.delivered), (true, 79_992, 160));
+        // fewer arrays are not taken off: the manual's figure is approximate
+        assert_eq!(memory(&view(json!({ "_CVAL[2]": 0 }), 2, true)), 16.0);
+        assert!(definitions(DefinitionsRequest { channels: Some(0), ..DefinitionsRequest::default() }).is_err());
+    }
+
+    // oracle: self (what is written and read back is the machine that wrote it)
+    #[test]
+    fn what_is_written_is_read_back() {
+        let data = json!({
+            "_CVAL[0]": 1, "_CVAL[1]": 5, "_EVMVNUM[0]": 30, "_TP[0,6]": 20, "_WP[4,0]": 5.9, "_CBIT[14]": 1,
+            "_SPEED[0]": 80, "_PROTNAME[1]": "LOG1", "E_MESS_FM": 400, "_DIGIT": 4
+        });
+        let before = with_values(own(data.clone()), &[]).unwrap().data;
+        let written = view(data, 1, true).files;
+        assert_eq!(written.len(), 4);
+        let files =
+            written.into_iter().map(|one| ExportedFile { name: one.saved.to_owned(), text: one.text }).collect();
+        let back = read_back(ReadBackRequest { setup: None, files }).unwrap();
+        assert_eq!(back.machine.problems, []);
+        assert_eq!(back.machine.data, before);
+        assert_eq!(back.changed, before.len());
+        let nothing = ExportedFile { name: "x".to_owned(), text: "G0 X1".to_owned() };
+        assert!(read_back(ReadBackRequest { setup: None, files: vec![nothing] }).is_err());
+    }
+
+    // oracle: manual B:13726 (_SPEED[0] is a percentage)
+    #[test]
+    fn a_value_that_cannot_be_is_told() {
+        let file = ExportedFile { name: "x".to_owned(), text: "_SPEED[0]=120 _DIGIT=4".to_owned() };
+        let back = read_back(ReadBackRequest { setup: None, files: vec![file] }).unwrap();
+        assert_eq!((back.read, back.changed), (2, 1));
+        assert_eq!(back.machine.problems.len(), 1);
+    }
+}

@@ -1,0 +1,145 @@
+//! Measuring programs of the 840C: what each R parameter means, and the program with the names of today.
+
+use super::finding::{Edit, Finding, edits, placed};
+use super::{Error, ProgramText};
+use crate::catalogue::CYCLES;
+use crate::catalogue::r_parameters::{number, numbers, printed};
+use crate::check;
+use crate::control::delivery;
+use crate::dialect::Dialect;
+use crate::entry::{Typed, names};
+use crate::message::Message;
+use crate::name::Name;
+use crate::program::r_parameters::{Answers, Assigned, Call, Older, edits as of_program, find, findings};
+use crate::refused::Path;
+use crate::syntax::position::Positions;
+use crate::syntax::programs::programs;
+use crate::syntax::{self, Program};
+use serde::Serialize;
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// A program, and what is answered where the manual leaves a parameter open.
+#[derive(Clone, Debug)]
+pub struct OlderRequest {
+    /// Text of the program.
+    pub text: ProgramText,
+    /// R parameter and the name that it is: `R19`, `_SZA`.
+    pub answers: BTreeMap<String, String>,
+}
+
+/// The measuring calls of an 840C in a program.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct OlderView {
+    /// The calls in the order of the text.
+    pub calls: Vec<OlderCall>,
+    /// Edits that write them as calls of today; none: nothing to convert, or a question is open.
+    pub edits: Vec<Edit>,
+    /// What is to be said, questions among it.
+    pub findings: Vec<Finding>,
+}
+
+/// A measuring call.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct OlderCall {
+    /// As it is called, `L977`.
+    pub name: String,
+    /// The cycle of today.
+    pub cycle: &'static str,
+    /// Line of the call, from 1.
+    pub line: u32,
+    /// What reaches it, in the order of the R parameters.
+    pub parameters: Vec<OlderParameter>,
+}
+
+/// An R parameter that reaches a call.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct OlderParameter {
+    /// The assignment as it is written, `R19=-20`.
+    pub text: String,
+    /// Its line, from 1.
+    pub line: u32,
+    /// The names that it may be, each with its meaning here; none: this variant does not use it.
+    pub names: Vec<OlderName>,
+}
+
+/// A parameter of today.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct OlderName {
+    /// Its name.
+    pub name: Name,
+    /// What it means in this call.
+    pub label: Message,
+}
+
+/// The calls, what their parameters mean, and the program with the names of today.
+///
+/// # Errors
+/// An answer that no R parameter of the 840C can have.
+pub fn older(asked: OlderRequest) -> Result<OlderView, Error> {
+    let program = syntax::read_held(Dialect::Sinumerik, &asked.text.0, &Arc::default(), &mut |_| {});
+    let older = find(&program, &programs(&program), &answers(&asked.answers)?);
+    let positions = Positions::new(&program.source);
+    let mut found = Vec::new();
+    findings(&program, &older, &mut found);
+    found.sort_by_key(|one| one.span.map_or(0, |span| span.start));
+    Ok(OlderView {
+        calls: older.calls.iter().map(|call| told(&program, &older, call)).collect(),
+        edits: edits(&of_program(&program, &older), &positions),
+        findings: placed(&found, &positions),
+    })
+}
+
+/// Answers as they are given, by the numbers of their R parameters.
+///
+/// # Errors
+/// No cycle has this name for this R parameter.
+pub fn answers(asked: &BTreeMap<String, String>) -> Result<Answers, Error> {
+    let mut answers = Answers::new();
+    for (parameter, value) in asked {
+        let number = number(&parameter.to_ascii_uppercase()).unwrap_or_default();
+        let mut all = CYCLES.iter().flat_map(|cycle| printed(cycle, number));
+        let name = all.find(|known| known.eq_ignore_ascii_case(value)).ok_or_else(|| {
+            Error::new("older-answer-unknown", Path::of(&["answers"])).text("name", parameter).text("value", value)
+        })?;
+        answers.insert(number, name);
+    }
+    Ok(answers)
+}
+
+fn told(program: &Program, older: &Older, call: &Call) -> OlderCall {
+    let reaching: Vec<&Assigned> = numbers()
+        .filter_map(|number| call.given.get(&number))
+        .flatten()
+        .filter_map(|at| older.assigned.get(*at))
+        .collect();
+    let one_of =
+        |one: &Assigned| one.names.iter().chain(&one.open).copied().find(|name| call.cycle.param(name).is_some());
+    let value = |one: &Assigned| program.written(program.place(one.value));
+    let typed: Typed = reaching.iter().filter_map(|one| Some((one_of(one)?.to_string(), value(one)))).collect();
+    let inputs = check::read(call.cycle, &typed, &delivery(Dialect::Sinumerik), &mut Vec::new());
+    let parameter = |one: &&Assigned| {
+        let names = one.names.iter().chain(&one.open);
+        let named = |name: &Name| {
+            let param = call.cycle.param(name)?;
+            let key = if *name == names::MVAR { variant(call, &typed) } else { None };
+            let key = key.unwrap_or_else(|| format!("param-{}", param.label(&inputs)));
+            Some(OlderName { name: *name, label: Message::new(key) })
+        };
+        let line = program.line_of(one.word.start) + 1;
+        OlderParameter { text: one.text(program), line, names: names.filter_map(named).collect() }
+    };
+    OlderCall {
+        name: program.name(call.name),
+        cycle: call.cycle.name,
+        line: program.line_of(call.name.start) + 1,
+        parameters: reaching.iter().map(parameter).collect(),
+    }
+}
+
+/// The key of the variant, where its number is known.
+fn variant(call: &Call, typed: &Typed) -> Option<String> {
+    let number: f64 = typed.get(names::MVAR.as_str())?.trim().parse().ok()?;
+    let variant = call.cycle.variants.iter().find(|one| one.number as f64 == number)?;
+    Some(variant.key.to_owned())
+}

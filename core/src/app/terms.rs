@@ -1,0 +1,79 @@
+//! Concepts and terms of the manuals.
+
+use crate::manual::Cited;
+use crate::manual::explained::{CONCEPTS, Concept, TERMS, Term};
+use crate::message::Message;
+use serde::Serialize;
+
+/// All of them.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct TermsView {
+    /// Concepts, those of a group together.
+    pub concepts: Vec<ConceptView>,
+    /// Terms, by the alphabet of English.
+    pub terms: Vec<TermView>,
+}
+
+/// A concept with its page.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct ConceptView {
+    /// By which a field names it.
+    pub id: &'static str,
+    /// Group in which it stands.
+    pub group: Message,
+    /// Title of the page.
+    pub title: Message,
+    /// What it says.
+    pub lines: Vec<Message>,
+    /// Parameters and data that it explains.
+    pub names: Vec<&'static str>,
+    /// Place in the manual.
+    pub source: Cited,
+}
+
+/// A term with its definition.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct TermView {
+    /// The term.
+    pub term: Message,
+    /// What it means.
+    pub meaning: Message,
+    /// Parameters and data that hold it.
+    pub names: Vec<&'static str>,
+    /// Terms that help to understand it.
+    pub see: Vec<Message>,
+    /// Place in the manual.
+    pub source: Cited,
+}
+
+/// Concepts and terms of the manuals.
+pub fn terms() -> TermsView {
+    TermsView { concepts: CONCEPTS.iter().map(concept).collect(), terms: TERMS.iter().map(term).collect() }
+}
+
+fn concept(concept: &Concept) -> ConceptView {
+    let Concept { id, group, lines, names, source } = concept;
+    let line = |number| Message::new(format!("concept-{id}-{number}"));
+    ConceptView {
+        id,
+        group: Message::new(format!("concept-group-{group}")),
+        title: Message::new(format!("concept-{id}")),
+        lines: (1..=*lines).map(line).collect(),
+        names: names.clone(),
+        source: *source,
+    }
+}
+
+fn term(term: &Term) -> TermView {
+    let Term { id, names, see, source } = term;
+    TermView {
+        term: Message::new(format!("term-{id}")),
+        meaning: Message::new(format!("term-{id}-is")),
+        names: names.clone(),
+        see: see.iter().map(|id| Message::new(format!("term-{id}"))).collect(),
+        source: *source,
+    }
+}

@@ -1,0 +1,137 @@
+//! Measuring cycles of the 840C: subprograms with their parameters in R parameters. The manual prints the R parameter
+//! beside each parameter of each cycle (A:16128-16737). Where it prints one for several, the variant tells which is
+//! meant: of these the catalogue knows which the variant asks for.
+
+use super::find;
+use crate::check;
+use crate::control::delivery;
+use crate::dialect::Dialect;
+use crate::entry::{Cycle, Inputs, Typed, names};
+use crate::name::Name;
+
+/// Cycles for which a column with R parameters is printed, but CYCLE997, which is newer than the 840C (B:4112).
+const PRINTED: [&str; 12] = [
+    "CYCLE961", "CYCLE971", "CYCLE972", "CYCLE973", "CYCLE974", "CYCLE976", "CYCLE977", "CYCLE978", "CYCLE979",
+    "CYCLE982", "CYCLE994", "CYCLE998",
+];
+
+/// Cycles that print something else than the others.
+enum Cycles {
+    All,
+    Only(&'static [&'static str]),
+    Except(&'static [&'static str]),
+}
+
+/// The starting angle stands in another R parameter here (A:16398, A:16478).
+const ANGLE: &[&str] = &["CYCLE974", "CYCLE977", "CYCLE994"];
+/// Two are printed for one setpoint here (A:16313, A:16396, A:16476, A:16555); the row of CYCLE976 is torn off.
+const SETPOINT: &[&str] = &["CYCLE973", "CYCLE974", "CYCLE976", "CYCLE977", "CYCLE979", "CYCLE994"];
+
+/// The variant.
+pub const VARIANT: u16 = 23;
+/// R parameters that both are the setpoint.
+pub const SETPOINTS: [u16; 2] = [32, 42];
+
+static TABLE: [(u16, Name, Cycles); 31] = [
+    (9, names::TNUM, Cycles::All),
+    (10, names::KNUM, Cycles::All),
+    (11, names::EVNUM, Cycles::All),
+    (12, names::CALNUM, Cycles::All),
+    (13, names::CORA, Cycles::All),
+    (18, names::SZO, Cycles::All),
+    (19, names::ID, Cycles::All),
+    (19, names::SZA, Cycles::All),
+    (20, names::CPA, Cycles::All),
+    (21, names::CPO, Cycles::All),
+    (22, names::PRNUM, Cycles::All),
+    (VARIANT, names::MVAR, Cycles::All),
+    (24, names::STA1, Cycles::Except(ANGLE)),
+    (25, names::VMS, Cycles::All),
+    (26, names::INCA, Cycles::All),
+    (26, names::STA1, Cycles::Only(ANGLE)),
+    (27, names::NMSP, Cycles::All),
+    (28, names::FA, Cycles::All),
+    (29, names::K, Cycles::All),
+    (30, names::MA, Cycles::All),
+    (31, names::MD, Cycles::All),
+    (31, names::RA, Cycles::All),
+    (31, names::RF, Cycles::All),
+    (32, names::SETVAL, Cycles::All),
+    (33, names::TZL, Cycles::All),
+    (34, names::TMV, Cycles::All),
+    (36, names::TSA, Cycles::All),
+    (37, names::TDIF, Cycles::All),
+    (40, names::TUL, Cycles::All),
+    (41, names::TLL, Cycles::All),
+    (42, names::SETVAL, Cycles::Only(SETPOINT)),
+];
+
+/// R parameters in which an 840C shows results; the manual maps none of them to a result of today.
+pub fn is_result(number: u16) -> bool {
+    matches!(number, 40..=50 | 200..=219)
+}
+
+/// The cycle of today that a subprogram was, by its number (`L977`): an assumption, since neither manual prints how the
+/// 840C called them.
+pub fn called(name: &str) -> Option<&'static Cycle> {
+    let digits = name.strip_prefix('L').filter(|digits| digits.len() == 3)?;
+    let cycle = find(Dialect::Sinumerik, &format!("CYCLE{digits}"))?;
+    is_printed(cycle).then_some(cycle)
+}
+
+/// Whether the manual prints R parameters beside those of a cycle.
+pub fn is_printed(cycle: &Cycle) -> bool {
+    PRINTED.contains(&cycle.name)
+}
+
+/// The number of an R parameter in the table, by its name (`R23`).
+pub fn number(name: &str) -> Option<u16> {
+    let number = name.strip_prefix('R')?.parse().ok()?;
+    TABLE.iter().any(|(known, ..)| *known == number).then_some(number)
+}
+
+/// Numbers of the table, each once.
+pub fn numbers() -> impl Iterator<Item = u16> {
+    let mut last = 0;
+    TABLE.iter().map(|(number, ..)| *number).filter(move |number| std::mem::replace(&mut last, *number) != *number)
+}
+
+/// The names that the table of a cycle prints for an R parameter.
+pub fn printed(cycle: &Cycle, number: u16) -> impl Iterator<Item = Name> {
+    let of = |cycles: &Cycles| match cycles {
+        Cycles::All => true,
+        Cycles::Only(only) => only.contains(&cycle.name),
+        Cycles::Except(others) => !others.contains(&cycle.name),
+    };
+    TABLE.iter().filter(move |(known, _, cycles)| *known == number && of(cycles)).map(|(_, name, _)| *name)
+}
+
+/// A cycle in a variant.
+pub struct Called {
+    cycle: &'static Cycle,
+    /// None: the variant is not known.
+    inputs: Option<Inputs>,
+}
+
+impl Called {
+    /// A cycle with the number of its variant, where that is known.
+    pub fn of(cycle: &'static Cycle, variant: Option<f64>) -> Called {
+        let known = variant.filter(|number| cycle.variants.iter().any(|one| one.number as f64 == *number));
+        let typed: Option<Typed> = known.map(|number| [(names::MVAR.to_string(), number.to_string())].into());
+        let inputs = typed.map(|typed| check::read(cycle, &typed, &delivery(Dialect::Sinumerik), &mut Vec::new()));
+        Called { cycle, inputs }
+    }
+
+    /// What an R parameter is here: none of its names, one, or several, of which the manual does not say which. A name
+    /// that stands alone counts in every variant: the data keep what a variant does not read, as R parameters did.
+    pub fn meant(&self, number: u16) -> Vec<Name> {
+        let known: Vec<Name> = printed(self.cycle, number).filter(|name| self.cycle.param(name).is_some()).collect();
+        match &self.inputs {
+            Some(inputs) if known.len() > 1 => {
+                let asks = |name: &Name| self.cycle.param(name).is_some_and(|param| param.is_known(inputs));
+                known.into_iter().filter(asks).collect()
+            }
+            _ => known,
+        }
+    }
+}

@@ -1,0 +1,97 @@
+//! What the manuals take for granted in each sentence: concepts, a page each, and terms, a definition each. Their words
+//! are messages: `concept-…` with its numbered lines, `term-…` and `term-…-is`.
+
+use super::Cited;
+use std::sync::LazyLock;
+
+/// A concept with a page of its own.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Concept {
+    /// End of its keys.
+    pub id: &'static str,
+    /// End of the key of the group in which it stands.
+    pub group: &'static str,
+    /// How many lines its page has.
+    pub lines: usize,
+    /// Parameters and data that it explains.
+    pub names: Vec<&'static str>,
+    /// Where the manuals tell of it.
+    pub source: Cited,
+}
+
+/// A term with its definition.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Term {
+    /// End of its keys.
+    pub id: &'static str,
+    /// Parameters and data that hold it.
+    pub names: Vec<&'static str>,
+    /// Terms that help to understand it, by their ids.
+    pub see: Vec<&'static str>,
+    /// Where the manuals tell of it.
+    pub source: Cited,
+}
+
+/// All concepts, those of a group together.
+pub static CONCEPTS: LazyLock<Vec<Concept>> = LazyLock::new(|| {
+    let concept = |[id, group, lines, names, source]: [&'static str; 5]| {
+        Some(Concept { id, group, lines: lines.parse().ok()?, names: several(names), source: Cited(source) })
+    };
+    rows(include_str!("concepts.tsv")).filter_map(concept).collect()
+});
+
+/// All terms, by the alphabet of English.
+pub static TERMS: LazyLock<Vec<Term>> = LazyLock::new(|| {
+    let term = |[id, names, see, source]: [&'static str; 4]| Term {
+        id,
+        names: several(names),
+        see: several(see),
+        source: Cited(source),
+    };
+    rows(include_str!("terms.tsv")).map(term).collect()
+});
+
+/// The concept that explains a parameter or datum: of several the one that is about the fewest.
+pub fn concept_of(name: &str) -> Option<&'static Concept> {
+    let about = CONCEPTS.iter().filter(|concept| concept.names.contains(&name));
+    about.min_by_key(|concept| concept.names.len())
+}
+
+fn rows<const COLUMNS: usize>(table: &'static str) -> impl Iterator<Item = [&'static str; COLUMNS]> {
+    table.lines().skip(1).filter_map(|row| row.split('\t').collect::<Vec<_>>().try_into().ok())
+}
+
+fn several(cell: &'static str) -> Vec<&'static str> {
+    cell.split(';').filter(|one| !one.is_empty()).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+
+    // oracle: self: no row of a table is lost, each place of a manual is found, and what is named exists
+    #[test]
+    fn the_tables_are_whole() {
+        assert_eq!(CONCEPTS.len() + 1, include_str!("concepts.tsv").lines().count());
+        assert_eq!(TERMS.len() + 1, include_str!("terms.tsv").lines().count());
+        let ids: BTreeSet<&str> = TERMS.iter().map(|term| term.id).collect();
+        assert_eq!(ids.len(), TERMS.len());
+        for term in TERMS.iter() {
+            assert!(term.see.iter().all(|see| ids.contains(see) && *see != term.id), "{term:?}");
+            assert!(!term.source.to_string().is_empty(), "{term:?}");
+        }
+        let concepts: BTreeSet<&str> = CONCEPTS.iter().map(|concept| concept.id).collect();
+        assert_eq!(concepts.len(), CONCEPTS.len());
+        assert!(CONCEPTS.iter().all(|one| one.lines > 0 && !one.source.to_string().is_empty()));
+        let groups: Vec<&str> = CONCEPTS.chunk_by(|one, next| one.group == next.group).map(|all| all[0].group).collect();
+        assert_eq!(groups.iter().collect::<BTreeSet<_>>().len(), groups.len(), "those of a group stand together");
+    }
+
+    // oracle: hand
+    #[test]
+    fn a_parameter_leads_to_its_concept() {
+        assert!(concept_of("_FA").is_some());
+        assert_eq!(concept_of("_NOBODY"), None);
+    }
+}

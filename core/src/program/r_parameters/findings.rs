@@ -1,0 +1,100 @@
+//! What is said about measuring calls of an 840C, and the cures: the whole program with the names of today, or one
+//! assignment where the manual leaves open what is meant.
+
+use super::edits::{edits, named, without};
+use super::{Assigned, Call, Older};
+use crate::diagnostic::{Diagnostic, Edit, Span};
+use crate::entry::names;
+use crate::message::Message;
+use crate::name::Name;
+use crate::own::{self, Own};
+use crate::syntax::Program;
+
+/// What is to be said; the first call has the cure for all of them, as long as nothing is open.
+pub fn findings(program: &Program, older: &Older, found: &mut Vec<Diagnostic>) {
+    let mut cure = Some(edits(program, older)).filter(|edits| !edits.is_empty());
+    for call in &older.calls {
+        let (name, cycle) = (program.name(call.name), call.cycle.name);
+        let finding = own::OLDER_CALL.finding().text("word", name).text("cycle", cycle).on(call.name);
+        found.push(match cure.take() {
+            Some(edits) => finding.cured(Message::new("older-convert").text("cycles", of_calls(&older.calls)), edits),
+            None => finding,
+        });
+    }
+    for one in &older.assigned {
+        if !one.open.is_empty() {
+            found.extend(questions(program, older, one));
+        } else if one.names.is_empty() && !one.read {
+            let cycles = cycles(older, one);
+            found.push(own::OLDER_UNUSED.finding().text("text", one.text(program)).text("cycles", cycles).on(one.word));
+        }
+    }
+    for (number, place) in &older.results {
+        found.push(own::OLDER_RESULT.finding().text("name", format!("R{number}")).on(*place));
+    }
+    if let Some(place) = older.unclear {
+        found.push(own::OLDER_UNCLEAR.finding().text("text", program.written(place)).on(place));
+    }
+}
+
+/// The question at an assignment, once for each answer, which is its cure. Each answer is a sentence of its own, so
+/// that all assignments can be answered alike.
+fn questions(program: &Program, older: &Older, one: &Assigned) -> Vec<Diagnostic> {
+    let other = |name: Name| match one.rival() {
+        Some(rival) => format!("R{rival}"),
+        None => {
+            one.open.iter().filter(|other| **other != name).map(|name| name.as_str()).collect::<Vec<_>>().join(", ")
+        }
+    };
+    let question = |name: &Name| {
+        let finding = sentence(one, *name)?.finding().text("text", one.text(program));
+        let label = Message::new("older-answer").text("name", *name).text("text", one.text(program));
+        let finding = finding.text("cycles", cycles(older, one)).text("other", other(*name)).on(one.word);
+        Some(finding.cured(label, answered(program, older, one, *name)))
+    };
+    one.open.iter().filter_map(question).collect()
+}
+
+/// The sentence of an answer.
+fn sentence(one: &Assigned, name: Name) -> Option<&'static Own> {
+    static SENTENCES: [(Name, Own); 5] = [
+        (names::ID, own::OLDER_ID),
+        (names::SZA, own::OLDER_SZA),
+        (names::MD, own::OLDER_MD),
+        (names::RA, own::OLDER_RA),
+        (names::RF, own::OLDER_RF),
+    ];
+    match one.rival() {
+        Some(rival) if one.number < rival => Some(&own::OLDER_FIRST),
+        Some(_) => Some(&own::OLDER_SECOND),
+        None => SENTENCES.iter().find(|(known, _)| *known == name).map(|(_, sentence)| sentence),
+    }
+}
+
+/// The edits of an answer; none where the other setpoint is read elsewhere too, so that it cannot go.
+fn answered(program: &Program, older: &Older, one: &Assigned, name: Name) -> Vec<Edit> {
+    let mut all = named(program, one, std::iter::once(name));
+    let of_rival = older.assigned.iter().filter(|other| one.rival() == Some(other.number));
+    let beside: Vec<&Assigned> =
+        of_rival.filter(|other| other.calls.iter().any(|call| one.calls.contains(call))).collect();
+    if beside.iter().any(|other| other.read) {
+        return Vec::new();
+    }
+    let spare: Vec<Span> = beside.iter().map(|other| other.word).collect();
+    all.extend(without(program, &spare));
+    all.sort_by_key(|edit| (edit.span.start, edit.span.end));
+    all
+}
+
+/// The cycles that an assignment reaches.
+fn cycles(older: &Older, one: &Assigned) -> String {
+    of_calls(one.calls.iter().filter_map(|at| older.calls.get(*at)))
+}
+
+/// Names of the cycles of calls, each once.
+fn of_calls<'a>(calls: impl IntoIterator<Item = &'a Call>) -> String {
+    let mut names: Vec<&str> = calls.into_iter().map(|call| call.cycle.name).collect();
+    names.sort_unstable();
+    names.dedup();
+    names.join(", ")
+}

@@ -1,0 +1,159 @@
+//! Measuring programs of the 840C: calls of subprograms (`L977`) whose parameters are R parameters, and the same with
+//! the names and cycles of today. Each assignment is changed at its place; every other byte stays.
+
+mod edits;
+mod findings;
+#[cfg(test)]
+mod tests;
+mod walk;
+
+pub use edits::edits;
+pub use findings::findings;
+
+use crate::catalogue::r_parameters::{Called, SETPOINTS, VARIANT};
+use crate::diagnostic::Span;
+use crate::entry::Cycle;
+use crate::name::Name;
+use crate::syntax::fold::{NOTHING, number};
+use crate::syntax::programs::Programs;
+use crate::syntax::{ExprId, Program, WordKind};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// What somebody answered: which name an R parameter is, where the manual leaves it open.
+pub type Answers = BTreeMap<u16, Name>;
+
+/// Measuring calls of an 840C and what gives them values.
+#[derive(Default)]
+pub struct Older {
+    /// The calls in the order of the text.
+    pub calls: Vec<Call>,
+    /// Assignments that reach one of them, in the order of the text.
+    pub assigned: Vec<Assigned>,
+    /// R parameters that are read behind a call as results of it: number, and the word that reads it.
+    pub results: Vec<(u16, Span)>,
+    /// Where the program gives an R parameter a value that cannot be followed.
+    pub unclear: Option<Span>,
+}
+
+/// A measuring call.
+pub struct Call {
+    /// What it is today.
+    pub cycle: &'static Cycle,
+    /// The word that calls it.
+    pub word: Span,
+    /// The name in it.
+    pub name: Span,
+    /// The values that arrive, by R parameter: places in [`Older::assigned`].
+    pub given: BTreeMap<u16, Vec<usize>>,
+}
+
+/// An assignment of an R parameter that reaches a measuring call.
+pub struct Assigned {
+    /// Number of the R parameter.
+    pub number: u16,
+    /// The whole word.
+    pub word: Span,
+    /// What it is called on the left side.
+    pub target: Span,
+    /// The right side.
+    pub value: ExprId,
+    /// Something else reads it too.
+    pub read: bool,
+    /// Calls that it reaches: places in [`Older::calls`].
+    pub calls: Vec<usize>,
+    /// The names that it is for these calls; none: no call takes it.
+    pub names: BTreeSet<Name>,
+    /// Names of which the manual does not say which is meant.
+    pub open: BTreeSet<Name>,
+}
+
+/// Looks for measuring calls of an 840C: subprograms with the number of a cycle, not in the text, to which a variant
+/// comes in R23.
+pub fn find(program: &Program, programs: &Programs, answers: &Answers) -> Older {
+    let mut older = walk::walk(program, programs);
+    let meant: Vec<BTreeMap<u16, Meant>> = older.calls.iter().map(|call| meant(program, &older, call)).collect();
+    for assigned in &mut older.assigned {
+        for call in &assigned.calls {
+            let Some(meant) = meant.get(*call).and_then(|all| all.get(&assigned.number)) else { continue };
+            let answer = answers.get(&assigned.number).filter(|name| meant.names.contains(*name));
+            let rival = meant.rival.filter(|rival| answers.contains_key(rival));
+            match (answer, rival) {
+                (Some(name), _) => drop(assigned.names.insert(*name)),
+                (None, Some(_)) => {} // the other one is the setpoint
+                _ if meant.open => assigned.open.extend(&meant.names),
+                _ => assigned.names.extend(&meant.names),
+            }
+        }
+    }
+    older
+}
+
+/// What an R parameter is for one call.
+#[derive(Default)]
+struct Meant {
+    names: BTreeSet<Name>,
+    /// Which of the names is meant, or whether it is meant at all, is open.
+    open: bool,
+    /// The other R parameter that may be meant.
+    rival: Option<u16>,
+}
+
+/// What the R parameters that come to a call are for it.
+fn meant(program: &Program, older: &Older, call: &Call) -> BTreeMap<u16, Meant> {
+    let of = |number: &u16| call.given.get(number).into_iter().flatten().filter_map(|at| older.assigned.get(*at));
+    let variants: Vec<Called> =
+        of(&VARIANT).map(|one| Called::of(call.cycle, self::number(program, one.value, NOTHING))).collect();
+    let mut all: BTreeMap<u16, Meant> = BTreeMap::new();
+    for number in call.given.keys() {
+        let meant = all.entry(*number).or_default();
+        for variant in &variants {
+            let names = variant.meant(*number);
+            meant.open |= names.len() > 1;
+            meant.names.extend(names);
+        }
+        meant.open |= meant.names.len() > 1;
+    }
+    let texts = |number: &u16| of(number).map(|one| program.written(program.place(one.value))).collect::<BTreeSet<_>>();
+    let [first, second] = SETPOINTS;
+    if [first, second].iter().all(|number| all.get(number).is_some_and(|one| !one.names.is_empty())) {
+        if texts(&first) == texts(&second) && texts(&first).len() == 1 {
+            all.remove(&second);
+        } else {
+            for (number, rival) in [(first, second), (second, first)] {
+                all.entry(number).and_modify(|one| (one.open, one.rival) = (true, Some(rival)));
+            }
+        }
+    }
+    all
+}
+
+impl Older {
+    /// Whether every assignment is known to be one parameter, or none.
+    pub fn is_clear(&self) -> bool {
+        self.unclear.is_none() && self.assigned.iter().all(|one| one.open.is_empty())
+    }
+}
+
+impl Assigned {
+    /// Whether another R parameter gives the same calls the same parameter, so that one of the two has to go.
+    fn rival(&self) -> Option<u16> {
+        let [first, second] = SETPOINTS;
+        let of = |number, other| (self.number == number && self.open.len() == 1).then_some(other);
+        of(first, second).or_else(|| of(second, first))
+    }
+
+    /// `R19=-20`, as it is written.
+    pub fn text(&self, program: &Program) -> String {
+        program.written(self.word)
+    }
+}
+
+/// The assignment that a word is: what it is called on the left, and the right side.
+fn assignment(program: &Program, kind: &WordKind, word: Span) -> Option<(Span, ExprId)> {
+    let WordKind::Assign { value, .. } = kind else { return None };
+    let left = Span { start: word.start, end: program.place(*value).start };
+    let text = program.text(left);
+    let end = text.iter().rposition(|byte| *byte == b'=')?;
+    let name = text.get(..end)?.trim_ascii_end().len() as u32;
+    Some((Span { start: word.start, end: word.start + name }, *value))
+}

@@ -1,0 +1,123 @@
+#![allow(clippy::unwrap_used)]
+use super::*;
+use crate::dialect::Dialect;
+use crate::entry::names;
+use crate::program::change::apply;
+use crate::syntax::programs::programs;
+use crate::syntax::read;
+use crate::test_data::data;
+
+/// The program with the names of today; empty: it is not converted.
+fn converted(text: &str, answers: &[(u16, Name)]) -> String {
+    let program = read(Dialect::Sinumerik, text.as_bytes());
+    let older = find(&program, &programs(&program), &answers.iter().copied().collect());
+    match edits(&program, &older) {
+        edits if edits.is_empty() => String::new(),
+        edits => String::from_utf8(apply(text.as_bytes(), &edits)).unwrap(),
+    }
+}
+
+/// What is said: number of the finding, key, place, and the text that its cure would make.
+fn told(text: &str) -> Vec<(String, String, String)> {
+    let program = read(Dialect::Sinumerik, text.as_bytes());
+    let mut found = Vec::new();
+    findings(&program, &find(&program, &programs(&program), &Answers::new()), &mut found);
+    let one = |one: &crate::diagnostic::Diagnostic| {
+        let cured = one.cure.as_ref().map(|cure| String::from_utf8(apply(text.as_bytes(), &cure.edits)).unwrap());
+        (one.message.key.to_string(), program.written(one.span.unwrap()), cured.unwrap_or_default())
+    };
+    found.iter().map(one).collect()
+}
+
+// oracle: manual A:16128-16737, tests/data/older_programs.json (composed from the tables by hand)
+#[test]
+fn programs_of_the_840c_get_the_names_of_today() {
+    let all: Vec<serde_json::Value> = serde_json::from_str(data!("older_programs.json")).unwrap();
+    let lines = |of: &serde_json::Value| -> String {
+        of.as_array().unwrap().iter().map(|line| line.as_str().unwrap().to_owned() + "\n").collect()
+    };
+    assert!(all.len() >= 8);
+    for one in &all {
+        let (older, today) = (lines(&one["older"]), lines(&one["today"]));
+        assert_eq!(converted(&older, &[]), today, "{}", one["name"]);
+        // what is converted has nothing left of the 840C
+        assert!(told(&today).is_empty(), "{}", one["name"]);
+    }
+}
+
+// oracle: hand (every byte but the names stays: tabs, comments, blanks, line ends, expressions)
+#[test]
+fn what_is_no_name_stays_byte_for_byte() {
+    let older = "\tN5 r[23] = 1 ; R23 of a bore\r\n(* ? *)\r\nN6\tR42=R5*2  R22 =1\r\n/N7 L977 P2 ;(L977)\r\nL978\r\n";
+    let today = "\tN5 _MVAR = 1 ; R23 of a bore\r\n(* ? *)\r\nN6\t_SETVAL=R5*2  _PRNUM =1\r\n\
+                 /N7 CYCLE977 P2 ;(L977)\r\nCYCLE978\r\n";
+    assert_eq!(converted(older, &[]), today);
+}
+
+// oracle: manual A:16452, A:16479 (R19 is _ID and _SZA, and a protection zone needs both)
+#[test]
+fn what_the_manual_leaves_open_is_asked() {
+    let text = "R23=1101 R19=-20 R32=80\nL977\n";
+    assert_eq!(converted(text, &[]), "");
+    let rest = "R32=80\nL977\n";
+    let id = ("older-open-id".to_owned(), "R19=-20".to_owned(), format!("R23=1101 _ID=-20 {rest}"));
+    let sza = ("older-open-sza".to_owned(), "R19=-20".to_owned(), format!("R23=1101 _SZA=-20 {rest}"));
+    let call = ("older-call".to_owned(), "L977".to_owned(), String::new());
+    assert_eq!(told(text), [call, id.clone(), sza]);
+    // the answer in the program is enough
+    assert_eq!(converted(&id.2, &[]), "_MVAR=1101 _ID=-20 _SETVAL=80\nCYCLE977\n");
+    assert_eq!(converted(text, &[(19, names::SZA)]), "_MVAR=1101 _SZA=-20 _SETVAL=80\nCYCLE977\n");
+}
+
+// oracle: manual A:16396 (R32 and R42 are printed beside _SETVAL, in no order)
+#[test]
+fn of_two_setpoints_one_is_chosen() {
+    let text = "R23=0 R32=44 R42=45\nL974\n";
+    assert_eq!(converted(text, &[]), "");
+    let cures: Vec<String> = told(text).into_iter().map(|(_, _, cured)| cured).collect();
+    assert_eq!(cures, ["", "R23=0 _SETVAL=44\nL974\n", "R23=0 _SETVAL=45\nL974\n"]);
+    assert_eq!(converted(text, &[(42, names::SETVAL)]), "_MVAR=0 _SETVAL=45\nCYCLE974\n");
+    assert_eq!(converted("R23=0 R32=44 R42=44\nL974\n", &[]), "_MVAR=0 _SETVAL=44\nCYCLE974\n");
+}
+
+// oracle: hand (what counts is which assignments reach a call, and what else reads them)
+#[test]
+fn assignments_are_followed_to_the_calls() {
+    for (older, today) in [
+        // read by a motion too: it stays, and the name takes its value
+        ("R23=100 R32=80\nG0 X=R32\nL978\n", "_MVAR=100 R32=80 _SETVAL=R32\nG0 X=R32\nCYCLE978\n"),
+        // assigned anew for something else before a call comes
+        ("R23=100 R32=80\nL978\nR32=5\nG0 X=R32\n", "_MVAR=100 _SETVAL=80\nCYCLE978\nR32=5\nG0 X=R32\n"),
+        // one value for two cycles that take it as different parameters
+        ("R23=13 R31=1\nL973\nR23=1\nL979\n", "_MVAR=13 _MD=1 _RF=1\nCYCLE973\n_MVAR=1\nCYCLE979\n"),
+        // two ways to a call
+        (
+            "IF R1==1\nR32=8\nELSE\nR32=9\nENDIF\nR23=100\nL978\n",
+            "IF R1==1\n_SETVAL=8\nELSE\n_SETVAL=9\nENDIF\n_MVAR=100\nCYCLE978\n",
+        ),
+        // not used: a line that has nothing else goes
+        ("R23=100 R32=8\nR31=0\nL978\n", "_MVAR=100 _SETVAL=8\nCYCLE978\n"),
+    ] {
+        assert_eq!(converted(older, &[]), today);
+    }
+}
+
+// oracle: hand (a subprogram of the user has the number of a cycle; no variant comes; values that cannot be followed)
+#[test]
+fn what_is_no_measuring_call_stays() {
+    for text in ["L977\n", "R23=1\nL997\n", "R23=1\nL100\n", "R23=1\nL977\nM30\n%_N_L977_SPF\nG0 X1\nM17\n"] {
+        assert!(told(text).is_empty() && converted(text, &[]).is_empty(), "{text}");
+    }
+    for text in ["R23=1 R[R5]=3\nL977\n", "FOR R32=1 TO 3\nR23=100\nL978\nENDFOR\n"] {
+        assert_eq!(converted(text, &[]), "");
+        assert!(told(text).iter().any(|(key, ..)| key == "older-unclear"), "{text}");
+    }
+}
+
+// oracle: hand (R43 is written by nobody, and read behind the call)
+#[test]
+fn results_that_are_read_are_told() {
+    let read = |text: &str| told(text).into_iter().filter(|(key, ..)| key == "older-result").count();
+    assert_eq!(read("R23=1\nL977\nIF R43>5\nM0\nENDIF\nX=R200\n"), 2);
+    assert_eq!(read("X=R43\nR23=1\nL977\nR43=1\nX=R43 Y=R1\n"), 0);
+}

@@ -1,0 +1,209 @@
+//! Which assignments of R parameters come to which measuring call of an 840C, along branches, loops and subprograms.
+
+use super::{Assigned, Call, Older, assignment};
+use crate::catalogue::r_parameters::{VARIANT, called, is_result, number};
+use crate::diagnostic::Span;
+use crate::entry::Cycle;
+use crate::program::flow::{Follow, Meet, follow};
+use crate::program::values::{Spread, spread};
+use crate::program::variables::plain_name;
+use crate::syntax::fold::{self, NOTHING, names_in};
+use crate::syntax::programs::Programs;
+use crate::syntax::{ExprId, Program, Word, WordKind};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Assignments of one R parameter that are told apart at a place.
+const WAYS: usize = 8;
+
+/// What the R parameters hold at a place of the program.
+#[derive(Clone, Debug, Default, PartialEq)]
+struct Holds {
+    /// Assignments that may have given a parameter its value, by their first byte.
+    given: BTreeMap<u16, BTreeSet<u32>>,
+    /// There may be more.
+    more: bool,
+    /// A measuring call was passed.
+    measured: bool,
+    /// What was assigned since.
+    fresh: BTreeSet<u16>,
+}
+
+impl Meet for Holds {
+    fn meet(&self, other: &Holds) -> Holds {
+        let mut met = self.clone();
+        met.more |= other.more;
+        met.measured |= other.measured;
+        met.fresh.extend(&other.fresh);
+        for (number, places) in &other.given {
+            let known = met.given.entry(*number).or_default();
+            known.extend(places);
+            met.more |= known.len() > WAYS;
+            while known.len() > WAYS {
+                known.pop_last();
+            }
+        }
+        met
+    }
+}
+
+/// A call by its first byte, and the assignments that come to it.
+struct Met {
+    cycle: &'static Cycle,
+    word: Span,
+    name: Span,
+    given: BTreeMap<u16, BTreeSet<u32>>,
+}
+
+struct Walk<'a> {
+    program: &'a Program,
+    /// The cycle that each word calls which looks like a measuring call, by its first byte.
+    candidates: BTreeMap<u32, &'static Cycle>,
+    met: BTreeMap<u32, Met>,
+    /// Assignments that something else reads.
+    read: BTreeSet<u32>,
+    results: BTreeMap<u32, (u16, Span)>,
+    unclear: Option<Span>,
+}
+
+/// The measuring calls with what comes to them; what it means is open still.
+pub(super) fn walk(program: &Program, programs: &Programs) -> Older {
+    let of = |word: &Word| {
+        let name = program.name(word.called()?);
+        let cycle = called(&name).filter(|_| programs.place(&name).is_none())?;
+        Some((word.span.start, cycle))
+    };
+    let candidates: BTreeMap<u32, _> = program.words.iter().filter_map(of).collect();
+    if candidates.is_empty() || program.grammar().by_address {
+        return Older::default();
+    }
+    let mut walk = Walk {
+        program,
+        candidates,
+        met: BTreeMap::new(),
+        read: BTreeSet::new(),
+        results: BTreeMap::new(),
+        unclear: None,
+    };
+    follow(program, programs, &mut walk);
+    walk.found()
+}
+
+impl Walk<'_> {
+    fn found(mut self) -> Older {
+        // R23 makes it a measuring call: other subprograms have numbers too
+        self.met.retain(|_, met| met.given.contains_key(&VARIANT));
+        if self.met.is_empty() {
+            return Older::default();
+        }
+        let places: BTreeSet<u32> = self.met.values().flat_map(|met| met.given.values().flatten().copied()).collect();
+        let assigned: Vec<Assigned> = places.iter().filter_map(|place| self.assigned(*place)).collect();
+        let at = |place: &u32| assigned.binary_search_by_key(place, |one| one.word.start).ok();
+        let mut older = Older { results: self.results.into_values().collect(), ..Older::default() };
+        older.unclear = self.unclear;
+        for met in self.met.into_values() {
+            let given = met.given.iter().map(|(number, places)| (*number, places.iter().filter_map(at).collect()));
+            older.calls.push(Call { cycle: met.cycle, word: met.word, name: met.name, given: given.collect() });
+        }
+        older.assigned = assigned;
+        for (index, call) in older.calls.iter().enumerate() {
+            for at in call.given.values().flatten() {
+                if let Some(one) = older.assigned.get_mut(*at) {
+                    one.calls.push(index);
+                }
+            }
+        }
+        older
+    }
+
+    fn assigned(&self, place: u32) -> Option<Assigned> {
+        let word = self.program.word_at(Span { start: place, end: place + 1 })?;
+        let (target, value) = assignment(self.program, &word.kind, word.span)?;
+        Some(Assigned {
+            number: number(&written(self.program, word)?)?,
+            word: word.span,
+            target,
+            value,
+            read: self.read.contains(&place),
+            calls: Vec::new(),
+            names: BTreeSet::new(),
+            open: BTreeSet::new(),
+        })
+    }
+
+    /// What a word reads.
+    fn reads(&mut self, state: &Holds, word: &Word) {
+        let mut names = BTreeSet::new();
+        let mut read = |id: &ExprId| names_in(self.program, *id, &mut names);
+        match &word.kind {
+            WordKind::Assign { index, value, .. } => index.iter().chain([value]).for_each(&mut read),
+            WordKind::Declare { index, value, .. } => index.iter().chain(value).for_each(&mut read),
+            WordKind::Address { value, .. } | WordKind::Keyword { value: Some(value), .. } => read(value),
+            WordKind::Constant(value) => read(value),
+            WordKind::Call { args, .. } => args.iter().for_each(&mut read),
+            _ => {}
+        }
+        for name in &names {
+            if name == "R" {
+                self.read.extend(state.given.values().flatten()); // any of them: the number is in brackets
+            } else if let Some(number) = name.strip_prefix('R').and_then(|digits| digits.parse().ok()) {
+                self.read.extend(state.given.get(&number).into_iter().flatten());
+                if state.measured && is_result(number) && !state.fresh.contains(&number) {
+                    self.results.insert(word.span.start, (number, word.span));
+                }
+            }
+        }
+    }
+
+    /// What a word writes; `counts`: a loop counts it.
+    fn writes(&mut self, state: &mut Holds, word: &Word, counts: bool) {
+        let WordKind::Assign { value, name, .. } = &word.kind else { return };
+        let known = written(self.program, word);
+        if known.as_ref().is_none_or(|name| name.contains('[')) && self.program.is(*name, "R") {
+            self.unclear = self.unclear.or(Some(word.span));
+            return;
+        }
+        let number_of = |name: &String| name.strip_prefix('R').and_then(|digits| digits.parse::<u16>().ok());
+        let Some(written) = known.as_ref().and_then(number_of) else { return };
+        state.fresh.insert(written);
+        if number(&format!("R{written}")).is_none() {
+            return;
+        }
+        let single = matches!(spread(self.program, *value), Spread::One) && !counts;
+        if !single || self.program.is_of_macro(word.span) || self.program.placed(word.span) != word.span {
+            self.unclear = self.unclear.or(Some(word.span));
+            return;
+        }
+        state.given.insert(written, BTreeSet::from([word.span.start]));
+    }
+}
+
+/// `R23` for `R23=…` and `R[23]=…`; none: the number is not known.
+fn written(program: &Program, word: &Word) -> Option<String> {
+    let WordKind::Assign { name, index, .. } = &word.kind else { return None };
+    Some(plain_name(&fold::name(program, *name, index, NOTHING)?))
+}
+
+impl Follow for Walk<'_> {
+    type State = Holds;
+
+    fn block(&mut self, state: &mut Holds, words: &[Word]) {
+        let counts = words.iter().any(|word| self.program.is_keyword(word, &["FOR"]));
+        for word in words {
+            self.reads(state, word);
+            self.writes(state, word, counts);
+        }
+    }
+
+    fn call(&mut self, state: &mut Holds, word: &Word) {
+        let Some((cycle, name)) = self.candidates.get(&word.span.start).copied().zip(word.called()) else { return };
+        if state.more || self.program.is_of_macro(word.span) {
+            self.unclear = self.unclear.or(Some(name));
+        }
+        (state.measured, state.fresh) = (true, BTreeSet::new());
+        let new = || Met { cycle, word: word.span, name, given: BTreeMap::new() };
+        let met = self.met.entry(word.span.start).or_insert_with(new);
+        for (number, places) in &state.given {
+            met.given.entry(*number).or_default().extend(places);
+        }
+    }
+}
