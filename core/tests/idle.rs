@@ -7,10 +7,11 @@ use probewright_core::form::machine::groups;
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 
-/// Code that names data without reading them for the simulation: their tables, the check of a machine, what writes the
-/// programs that test a probe, and tests.
-const OTHER: [&str; 6] = [
-    "control/gud", "machine_data/table.rs", "control/needs.rs", "control/idle.rs", "app/machine_check", "app/repeat.rs",
+/// Code that names data without reading them for the simulation: their tables, the check of a machine, what writes its
+/// definition files and the programs that test a probe, and tests.
+const OTHER: [&str; 8] = [
+    "control/gud", "machine_data/table.rs", "control/needs.rs", "control/idle.rs", "control/versions.rs",
+    "app/definitions.rs", "app/machine_check", "app/repeat.rs",
 ];
 
 fn entry_name(path: &Path) -> String {

@@ -141,3 +141,15 @@ fn braking_tells_path_and_feed() {
     assert!((view["path"]["sum"].as_f64().unwrap() - 12.6).abs() < 1e-9 && view["feed"].is_null());
     assert_eq!(asked(&["--feed=-1"]).status.code(), Some(2));
 }
+
+// oracle: manual A:16452, A:16479 (R19 is printed beside _ID and _SZA), A:16018-16041
+#[test]
+fn programs_of_older_versions_are_explained() {
+    let told = |name: &str| out(&probewright(&["explain", name]));
+    let parameter = told("r19");
+    assert!(parameter.contains("_ID: CYCLE961") && parameter.contains("_SZA: CYCLE977, CYCLE994"), "{parameter}");
+    let call = told("L977");
+    assert!(call.contains("CYCLE977") && call.contains("R42  _SETVAL: ") && !call.contains("R20"), "{call}");
+    assert!(told("CYCLE103").contains("A:15977") || told("CYCLE103").contains("SW 3.2"), "{}", told("CYCLE103"));
+    assert_eq!(probewright(&["explain", "R14"]).status.code(), Some(2));
+}

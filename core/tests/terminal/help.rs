@@ -3,8 +3,10 @@
 use super::{err, out, probewright};
 use probewright_core::words::LANGUAGES;
 
-const COMMANDS: [&str; 11] =
-    ["cycles", "explain", "alarms", "check", "write", "read", "run", "test", "jog", "machine", "braking"];
+const COMMANDS: [&str; 13] = [
+    "cycles", "explain", "alarms", "check", "write", "read", "run", "test", "jog", "machine", "braking", "older",
+    "definitions",
+];
 
 /// English of the parser of the command line, which no other language shows.
 const ITS_OWN: [&str; 7] = ["Usage", "Options", "Arguments", "Commands", "Print", "possible", "OPTIONS"];

@@ -402,3 +402,53 @@ fn a_series_tells_how_results_spread() {
         assert!(output.status.code() == Some(2) && err(&output).contains(place), "{}", err(&output));
     }
 }
+
+// oracle: manual A:16128-16737 (R19 of a hole with a protection zone is printed beside two parameters)
+#[test]
+fn a_program_of_the_840c_is_converted_once_it_is_clear() {
+    let folder = std::env::temp_dir().join(format!("probewright-older-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    let file = folder.join("old.mpf");
+    let path = file.to_str().unwrap();
+    // a comment in a code page: its bytes stay
+    std::fs::write(&file, b"R23=1101 R19=-20 R31=0 ; Bohrung \xfc\r\nL977\r\n").unwrap();
+    let asked = probewright(&["older", path]);
+    assert_eq!((asked.status.code(), out(&asked).as_str()), (Some(1), ""));
+    assert!(err(&asked).contains("PW211") && err(&asked).contains("_SZA"), "{}", err(&asked));
+    let done = probewright(&["older", path, "--answer", "r19=_id"]);
+    assert_eq!(done.status.code(), Some(0));
+    assert_eq!(done.stdout, b"_MVAR=1101 _ID=-20 ; Bohrung \xfc\r\nCYCLE977\r\n");
+    assert!(err(&done).contains("R31=0"), "{}", err(&done));
+    let told = out(&probewright(&["older", path, "--explain"]));
+    assert!(told.starts_with("2: L977 → CYCLE977\n") && told.contains("R19=-20  _ID: "), "{told}");
+    let view: serde_json::Value = serde_json::from_str(&out(&probewright(&["older", path, "--json"]))).unwrap();
+    assert_eq!(view["calls"][0]["parameters"].as_array().unwrap().len(), 3);
+    assert_eq!(probewright(&["older", path, "--answer", "R19=_FA"]).status.code(), Some(2));
+    std::fs::write(&file, "G0 X1\n").unwrap();
+    assert_eq!(probewright(&["older", path]).status.code(), Some(2));
+    std::fs::remove_dir_all(&folder).unwrap();
+}
+
+// oracle: manual B:13276-13288 (lines of the example), self (what is saved in a setup is read from it)
+#[test]
+fn definition_files_are_read_and_written() {
+    let folder = std::env::temp_dir().join(format!("probewright-definitions-{}", std::process::id()));
+    let path = |name: &str| folder.join(name).to_str().unwrap().to_owned();
+    std::fs::create_dir_all(&folder).unwrap();
+    std::fs::write(folder.join("GUD6.DEF"), "N10 DEF NCK INT _CVAL[4]=(2,2,0,0)\n_CBIT[14]=1\n").unwrap();
+    let (file, setup, saved, into) = (path("GUD6.DEF"), example_setup(), path("saved.json"), path("lines"));
+    let asked = ["definitions", &file, "--setup", &setup, "--save", &saved, "--into", &into, "--channels", "2"];
+    let done = probewright(&asked);
+    assert_eq!(done.status.code(), Some(0), "{}", err(&done));
+    let lines = std::fs::read_to_string(folder.join("lines/GUD6-lines.txt")).unwrap();
+    assert!(
+        lines.starts_with("N10 DEF NCK INT _CVAL[4]=(2,2)\n") && lines.contains(";N13 DEF NCK REAL _KB"),
+        "{lines}"
+    );
+    assert!(out(&done).contains("MD18150") && out(&done).contains("_TP[2,10]"), "{}", out(&done));
+    let again = probewright(&["definitions", "--setup", &saved]);
+    assert!(out(&again).contains("N10 DEF NCK INT _CVAL[4]=(2,2)"), "{}", out(&again));
+    std::fs::write(folder.join("x.mpf"), "G0 X1\n").unwrap();
+    assert_eq!(probewright(&["definitions", &path("x.mpf")]).status.code(), Some(2)); // no datum of a machine
+    std::fs::remove_dir_all(&folder).unwrap();
+}

@@ -97,7 +97,7 @@ fn print(view: &DefinitionsView, words: &Words, out: &mut dyn Write) -> std::io:
     for share in &view.memory {
         let key = if share.channel { "definitions-share-channel" } else { "definitions-share" };
         let message = Message::new(key).text("name", &share.name).number("bytes", share.bytes as f64);
-        writeln!(out, "  {}", words.text(&message.number("delivered", share.delivered as f64)))?;
+        writeln!(out, "  {}", words.text(&message.number("default", share.delivered as f64)))?;
     }
     for need in &view.needs {
         let message = Message::new("definitions-need").text("number", need.number).number("value", need.value);
