@@ -14,6 +14,7 @@ const LATER_FILES = [
   ..."advice alarms around braking changes datum definitions digitizing equipment evaluate exported foreign".split(" "),
   ..."jog lathe lists logging machine-check nct protocol record repeat run scenarios series setup syntax".split(" "),
   "jog-program",
+  "commissioning",
   "tool-probe",
   "twin",
   "user-programs",
@@ -26,7 +27,7 @@ type Part = "first" | "later" | "help";
 /** Where a message of the core belongs; help pages are long and read by few. `first`: the file of the first cycle. */
 function partOf(file: string, message: string, first: string): Part | null {
   if (file === TERMINAL) return null;
-  if (/^(jog-)?help-/.test(message)) return "help";
+  if (/^((jog-)?help|concept|term|commission|connection)-/.test(message)) return "help";
   const later = LATER_FILES.includes(file) || (OF_CYCLE.test(file) && file !== first) || LATER_WORDS.test(message);
   return later ? "later" : "first";
 }

@@ -1,8 +1,11 @@
-//! Programs that grow: how long it takes to find what is wrong in one of twice the blocks, as a ratio to the half. In
-//! each of them something once took time with the square of the length; what is linear doubles.
+//! Programs that grow: how long it takes to find what is wrong in one of twice the blocks, or to run it, as a ratio to
+//! the half. In each of them something once took time with the square of the length; what is linear doubles.
 
+use probewright_core::control::Plane;
 use probewright_core::dialect::Dialect;
+use probewright_core::machine::Setup;
 use probewright_core::program::findings;
+use probewright_core::run::{Limits, Session};
 use probewright_core::syntax::read;
 use std::time::Instant;
 
@@ -15,17 +18,19 @@ const GOAL: f64 = 2.5;
 struct Growing {
     name: &'static str,
     text: fn(usize) -> String,
+    work: fn(&str),
 }
 
-const ALL: [Growing; 8] = [
-    Growing { name: "conditional jumps, each to a label of its own", text: jumps_apart },
-    Growing { name: "conditional jumps to one label", text: jumps_together },
-    Growing { name: "IF with ELSE", text: choices },
-    Growing { name: "programs of one archive", text: archive },
-    Growing { name: "jumps backward", text: backward },
-    Growing { name: "FOR loops", text: loops },
-    Growing { name: "CASE with several targets", text: cases },
-    Growing { name: "measuring calls", text: calls },
+const ALL: [Growing; 9] = [
+    Growing { name: "conditional jumps, each to a label of its own", text: jumps_apart, work: check },
+    Growing { name: "conditional jumps to one label", text: jumps_together, work: check },
+    Growing { name: "IF with ELSE", text: choices, work: check },
+    Growing { name: "programs of one archive", text: archive, work: check },
+    Growing { name: "jumps backward", text: backward, work: check },
+    Growing { name: "FOR loops", text: loops, work: check },
+    Growing { name: "CASE with several targets", text: cases, work: check },
+    Growing { name: "measuring calls", text: calls, work: check },
+    Growing { name: "values of a log, run", text: logged, work: run },
 ];
 
 fn main() {
@@ -45,10 +50,22 @@ fn least(growing: &Growing, times: usize) -> f64 {
     let text = (growing.text)(times);
     let taken = (0..5).map(|_| {
         let begun = Instant::now();
-        std::hint::black_box(findings(&read(Dialect::Sinumerik, text.as_bytes())));
+        (growing.work)(&text);
         begun.elapsed().as_secs_f64() * 1e3
     });
     taken.fold(f64::INFINITY, f64::min)
+}
+
+fn check(text: &str) {
+    std::hint::black_box(findings(&read(Dialect::Sinumerik, text.as_bytes())));
+}
+
+fn run(text: &str) {
+    let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
+    setup.control.set("MD11420", 1e6);
+    let program = read(Dialect::Sinumerik, text.as_bytes());
+    let outcome = Session::new(program, &setup, Limits::default()).complete();
+    assert!(outcome.finished(), "{:?}", outcome.stop);
 }
 
 fn each(times: usize, block: impl Fn(usize) -> String) -> String {
@@ -90,4 +107,9 @@ fn cases(times: usize) -> String {
 fn calls(times: usize) -> String {
     let call = |at| format!("_V{at}={at}\n_MVAR=1 _SETVAL=_V{at} _PRNUM=1 _FA=2 _TSA=2 _KNUM=0\nCYCLE977\n");
     each(times, call) + "M30\n"
+}
+
+fn logged(times: usize) -> String {
+    let begin = "_PROTNAME[0]=\"PART\" _PROTNAME[1]=\"LOG_1\" _PROTVAL[0]=\"What\" _PROTVAL[2]=\"R1\"\nCYCLE100\n";
+    begin.to_owned() + &each(times, |_| "CYCLE106(2)\n".into()) + "CYCLE101\nM30\n"
 }

@@ -1,22 +1,39 @@
 //! Sources as a reader looks them up. Beside a fact the code names a line of a manual's text (`B:5773`); the reader is
 //! shown title, edition and chapter, which are the same in every language of an edition.
 
+pub mod commissioning;
+pub mod explained;
+
 use std::fmt;
 use std::sync::LazyLock;
 
 /// The manuals: letter that code names, title, and how many lines its text has.
-const MANUALS: [(char, &str, u32); 3] = [
+pub const MANUALS: [(char, &str, u32); 3] = [
     ('A', "Measuring Cycles 10/2004", 18399),
     ('B', "Measuring Cycles 04/2006", 16998),
     ('C', "NCT Probing and Digitizing Cycles 2005", 1354),
 ];
 
-/// First line and number of each chapter of a manual, by its letter, in the order of the lines.
-static CHAPTERS: LazyLock<Vec<(char, u32, &str)>> = LazyLock::new(|| {
+/// A chapter of a manual.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Chapter {
+    /// Letter of the manual.
+    pub manual: char,
+    /// Line of its heading.
+    pub line: u32,
+    /// `5.4.2`.
+    pub number: &'static str,
+    /// Its heading; empty in the manual in Chinese.
+    pub title: &'static str,
+    /// Of that manual: the chapter of the later edition with the same subject; empty: it has none.
+    pub later: &'static str,
+}
+
+/// The chapters, by manual and line.
+pub static CHAPTERS: LazyLock<Vec<Chapter>> = LazyLock::new(|| {
     let rows = include_str!("manual/chapters.tsv").lines().skip(1).filter_map(|row| {
-        let (letter, rest) = row.split_once('\t')?;
-        let (line, chapter) = rest.split_once('\t')?;
-        Some((letter.chars().next()?, line.parse().ok()?, chapter))
+        let [manual, line, number, title, later] = row.split('\t').collect::<Vec<_>>().try_into().ok()?;
+        Some(Chapter { manual: manual.chars().next()?, line: line.parse().ok()?, number, title, later })
     });
     rows.collect()
 });
@@ -37,8 +54,8 @@ impl fmt::Display for Cited {
 pub fn looked_up(text: &str) -> String {
     let mut told = String::new();
     let mut said: Vec<(char, &str)> = Vec::new();
-    for (letter, line) in text.split([';', ',', ' ']).flat_map(lines) {
-        let Some(place) = chapter(letter, line).map(|chapter| (letter, chapter)) else { continue };
+    for place in cited(text) {
+        let (letter, place) = (place.manual, (place.manual, place.number));
         if said.contains(&place) {
             continue;
         }
@@ -52,6 +69,11 @@ pub fn looked_up(text: &str) -> String {
         said.push(place);
     }
     told
+}
+
+/// The chapters in which the lines stand that a text names.
+pub fn cited(text: &str) -> impl Iterator<Item = &'static Chapter> {
+    text.split([';', ',', ' ']).flat_map(lines).filter_map(|(letter, line)| chapter(letter, line))
 }
 
 impl serde::Serialize for Cited {
@@ -73,10 +95,10 @@ fn manual(letter: char) -> Option<&'static (char, &'static str, u32)> {
 }
 
 /// Chapter in which a line stands; none before the first chapter and behind the end of the text.
-fn chapter(letter: char, line: u32) -> Option<&'static str> {
+fn chapter(letter: char, line: u32) -> Option<&'static Chapter> {
     manual(letter).filter(|(.., lines)| line <= *lines)?;
-    let after = CHAPTERS.partition_point(|(manual, first, _)| (*manual, *first) <= (letter, line));
-    CHAPTERS.get(after.checked_sub(1)?).filter(|(manual, _, _)| *manual == letter).map(|(_, _, chapter)| *chapter)
+    let after = CHAPTERS.partition_point(|chapter| (chapter.manual, chapter.line) <= (letter, line));
+    CHAPTERS.get(after.checked_sub(1)?).filter(|chapter| chapter.manual == letter)
 }
 
 #[cfg(test)]
@@ -98,6 +120,7 @@ mod tests {
     #[test]
     fn chapters_stand_in_the_order_of_their_lines() {
         assert!(CHAPTERS.len() > 400);
-        assert!(CHAPTERS.is_sorted_by(|a, b| (a.0, a.1) < (b.0, b.1)));
+        assert!(CHAPTERS.is_sorted_by(|a, b| (a.manual, a.line) < (b.manual, b.line)));
+        assert_eq!(CHAPTERS.len() + 1, include_str!("manual/chapters.tsv").lines().count(), "no row is lost");
     }
 }

@@ -23,6 +23,20 @@ pub fn help(request: &str) -> Result<String, JsError> {
     Ok(json::answer(request, app::help)?)
 }
 
+/// `CommissioningView`.
+#[wasm_bindgen]
+#[must_use]
+pub fn commissioning() -> String {
+    json::document(&app::commissioning())
+}
+
+/// `TermsView`.
+#[wasm_bindgen]
+#[must_use]
+pub fn terms() -> String {
+    json::document(&app::terms())
+}
+
 #[wasm_bindgen(inline_js = "
 export function tell(share) {
   globalThis.dispatchEvent?.(new CustomEvent('probewright-progress', { detail: share }));

@@ -1095,6 +1095,8 @@ export type Field = {
   argument?: Message,
   /** Place in the manual. */
   source: Cited,
+  /** The concept that explains what it is about. */
+  concept?: string,
 } & ({ "kind": "real",
   /** What the control takes. */
   range: Range,

@@ -312,3 +312,16 @@ report-column-read = gelesen und geändert
 report-column-written = geschrieben
 report-column-simulated = simuliert
 terminal-told-newer = neuer
+
+report-terms = Konzepte und Begriffe
+report-terms-intro = Was die Handbücher voraussetzen: Konzepte mit je einer Seite, und Begriffe. Aus den Tabellen erzeugt; nicht bearbeiten.
+report-terms-list = Begriffe
+report-commissioning = Inbetriebnahme und Hochrüstung
+report-commissioning-intro = Die Schritte, mit denen Messzyklen auf eine Maschine kommen, nach der Art der Bedientafel, und die Anschlüsse der Messtaster. Aus den Tabellen erzeugt; nicht bearbeiten.
+report-connections = Anschlüsse
+report-commissioning-softkeys = Softkeys und Zeilen
+report-commissioning-files = Dateien
+report-commissioning-versions = Versionen
+report-column-signal = Signal
+terminal-commissioning-about = Schritte der Inbetriebnahme oder Hochrüstung der Messzyklen auflisten, oder die Anschlüsse der Messtaster
+terminal-commissioning-way-text = Weg: einer von denen, die ohne ihn aufgelistet werden, oder connections

@@ -45,6 +45,7 @@ setup-cutter = { $path }: Eckenradius und Fase lassen vom Radius { $value } mm 
 setup-side = { $path } ist { $value }; zulässig: -1, 0 oder 1.
 setup-cap = { $path }: Das Tastelement eines Werkzeugmesstasters muss ein Würfel (block) oder eine Scheibe ohne Bohrung (turned) sein.
 setup-active = { $path }: Unter den Werkzeugen fehlt { $name }.
+setup-vary-nothing = { $path }: „{ $name }“ streut um nichts. Für eine Normalverteilung sigma angeben, für die anderen half, oder mean, drift oder values.
 setup-vary = { $path }: „{ $name }“ gibt es an dieser Maschine nicht, es kann nicht streuen.
 setup-frame = { $path }: Es gibt kein Frame „{ $name }“.
 setup-units = { $path }: „{ $name }“ ist keine G-Funktion für Maßeinheiten.

@@ -316,3 +316,16 @@ report-column-read = read and changed
 report-column-written = written
 report-column-simulated = simulated
 terminal-told-newer = newer
+
+report-terms = Concepts and terms
+report-terms-intro = What the manuals take for granted: concepts, a page each, and terms. Generated from the tables; do not edit.
+report-terms-list = Terms
+report-commissioning = Commissioning and upgrade
+report-commissioning-intro = The steps by which measuring cycles come to a machine, by the sort of its operator panel, and the connections of probes. Generated from the tables; do not edit.
+report-connections = Connections
+report-commissioning-softkeys = Softkeys and lines
+report-commissioning-files = Files
+report-commissioning-versions = Versions
+report-column-signal = Signal
+terminal-commissioning-about = List the steps of commissioning or upgrade of measuring cycles, or the connections of probes
+terminal-commissioning-way-text = Way: one that is listed without it, or connections

@@ -45,6 +45,7 @@ setup-cutter = { $path }: corner and chamfer leave { $value } mm of the radius;
 setup-side = { $path } is { $value }; permitted: -1, 0 or 1.
 setup-cap = { $path }: the cap of a tool probe must be a block, or a turned part without a bore.
 setup-active = { $path }: { $name } is not among the tools.
+setup-vary-nothing = { $path }: “{ $name }” varies by nothing. Enter sigma for a normal distribution, half for the others, or mean, drift or values.
 setup-vary = { $path }: “{ $name }” is nothing that can vary on this machine.
 setup-frame = { $path }: frame “{ $name }” does not exist.
 setup-units = { $path }: “{ $name }” is not a G function for units.

@@ -312,3 +312,16 @@ report-column-read = 读取和修改
 report-column-written = 写入
 report-column-simulated = 模拟
 terminal-told-newer = 新型
+
+report-terms = 概念与术语
+report-terms-intro = 手册默认读者已知的内容：每个概念一节，另附术语。由数据表生成，请勿编辑。
+report-terms-list = 术语
+report-commissioning = 调试与升级
+report-commissioning-intro = 将测量循环装入机床的步骤（按操作面板类型）以及测头的接线。由数据表生成，请勿编辑。
+report-connections = 接线
+report-commissioning-softkeys = 软键和行
+report-commissioning-files = 文件
+report-commissioning-versions = 版本
+report-column-signal = 信号
+terminal-commissioning-about = 列出测量循环调试或升级的步骤，或测头的接线
+terminal-commissioning-way-text = 途径：不带参数时列出的名称之一，或 connections

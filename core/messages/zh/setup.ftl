@@ -45,6 +45,7 @@ setup-cutter = { $path }：除去圆角和倒角后半径剩余 { $value } mm�
 setup-side = { $path } 为 { $value }；允许：-1、0 或 1。
 setup-cap = { $path }：刀具测头的触碰体必须是长方体（block），或无内孔的圆盘（turned）。
 setup-active = { $path }：刀具中没有 { $name }。
+setup-vary-nothing = { $path }：“{ $name }”没有任何变动。正态分布请给出 sigma，其他分布请给出 half，或给出 mean、drift 或 values。
 setup-vary = { $path }：这台机床上没有可变动的“{ $name }”。
 setup-frame = { $path }：没有坐标框架“{ $name }”。
 setup-units = { $path }：“{ $name }”不是单位制 G 功能。

@@ -12,6 +12,7 @@ mod braking;
 mod catalogue;
 mod certainty;
 mod changes;
+mod commissioning;
 mod definitions;
 mod edit;
 mod encoding;
@@ -40,6 +41,7 @@ mod series;
 mod start;
 mod story;
 mod supply;
+mod terms;
 mod trace;
 mod twin;
 mod user_programs;
@@ -61,6 +63,7 @@ pub use certainty::{
     WholeCertaintyRequest, certainty, certainty_of, whole_certainty,
 };
 pub use changes::Change;
+pub use commissioning::{CommissioningPath, CommissioningStep, CommissioningView, ConnectionView, commissioning};
 pub use definitions::{
     DefinitionsRequest, DefinitionsText, DefinitionsView, MemoryNeed, MemoryShare, ReadBack, ReadBackRequest,
     definitions, read_back,
@@ -108,6 +111,7 @@ pub use series::{
 pub use start::{Beginning, Machine, OwnMachine};
 pub use story::{Story, story};
 pub use supply::{NewTool, Offer, Supply};
+pub use terms::{ConceptView, TermView, TermsView, terms};
 pub use trace::columns::{Columns, columns, others};
 pub use trace::{Trace, happened};
 pub use twin::{Shared, TwinView};

@@ -6,6 +6,7 @@ use crate::check;
 use crate::control::Control;
 use crate::entry::{ArgumentList, Cycle, Inputs, Kind, Level, Param, Topic, Typed, Unit, factor, unit_name};
 use crate::manual::Cited;
+use crate::manual::explained::concept_of;
 use crate::message::Message;
 use crate::name::Name;
 use crate::range::Range;
@@ -56,6 +57,9 @@ pub struct Field {
     pub argument: Option<Message>,
     /// Place in the manual.
     pub source: Cited,
+    /// The concept that explains what it is about.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub concept: Option<&'static str>,
 }
 
 /// How a field is entered.
@@ -150,6 +154,7 @@ fn field(param: &'static Param, inputs: &Inputs, typed: &Typed, control: &Contro
         reason: Message::new(reason),
         argument: None,
         source: Cited(param.source),
+        concept: concept_of(param.name.as_str()).map(|concept| concept.id),
     })
 }
 
@@ -197,6 +202,7 @@ fn argument_field(argument: &Argument, typed: &Typed, control: &Control) -> Fiel
         reason: Message::new(if argument.is_open() { "argument-open" } else { "argument-values" }),
         argument: None,
         source: Cited(""),
+        concept: None,
     }
 }
 

@@ -58,6 +58,9 @@ impl Setup {
             small(&path.member("values"), &vary.values)?;
             let follows = path.member("follows");
             vary.follows.iter().try_for_each(|(name, factor)| small(&follows.member(name), &[*factor]))?;
+            if !vary.says_something() {
+                return Err(Refused::new("setup-vary-nothing", path).text("name", vary.what.as_str()));
+            }
         }
         Ok(())
     }

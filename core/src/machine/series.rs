@@ -83,6 +83,15 @@ pub struct Vary {
     pub follows: BTreeMap<String, f64>,
 }
 
+impl Vary {
+    /// Whether anything of it differs from part to part, or from what the file says.
+    pub fn says_something(&self) -> bool {
+        let spread = if self.shape == Shape::Normal { self.sigma } else { self.half };
+        let own = [spread, self.mean, self.drift].iter().any(|number| *number != 0.0);
+        own || !self.values.is_empty() || !self.follows.is_empty()
+    }
+}
+
 /// How numbers are spread about their mean.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]

@@ -57,11 +57,11 @@ pub fn concept_of(name: &str) -> Option<&'static Concept> {
     about.min_by_key(|concept| concept.names.len())
 }
 
-fn rows<const COLUMNS: usize>(table: &'static str) -> impl Iterator<Item = [&'static str; COLUMNS]> {
+pub(super) fn rows<const COLUMNS: usize>(table: &'static str) -> impl Iterator<Item = [&'static str; COLUMNS]> {
     table.lines().skip(1).filter_map(|row| row.split('\t').collect::<Vec<_>>().try_into().ok())
 }
 
-fn several(cell: &'static str) -> Vec<&'static str> {
+pub(super) fn several(cell: &'static str) -> Vec<&'static str> {
     cell.split(';').filter(|one| !one.is_empty()).collect()
 }
 
@@ -84,7 +84,8 @@ mod tests {
         let concepts: BTreeSet<&str> = CONCEPTS.iter().map(|concept| concept.id).collect();
         assert_eq!(concepts.len(), CONCEPTS.len());
         assert!(CONCEPTS.iter().all(|one| one.lines > 0 && !one.source.to_string().is_empty()));
-        let groups: Vec<&str> = CONCEPTS.chunk_by(|one, next| one.group == next.group).map(|all| all[0].group).collect();
+        let groups: Vec<&str> =
+            CONCEPTS.chunk_by(|one, next| one.group == next.group).map(|all| all[0].group).collect();
         assert_eq!(groups.iter().collect::<BTreeSet<_>>().len(), groups.len(), "those of a group stand together");
     }
 

@@ -2,6 +2,7 @@
 
 pub mod alarms;
 pub mod around;
+pub mod commissioning;
 pub mod explain;
 pub mod findings;
 pub mod foreign;
@@ -13,6 +14,7 @@ mod markdown;
 #[cfg(test)]
 mod readme_tests;
 pub mod reference;
+pub mod terms;
 
 use crate::message::{Arg, Message};
 use crate::words::Words;

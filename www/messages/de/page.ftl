@@ -97,6 +97,7 @@ tasks-none = Nichts gefunden für „{ $search }“. Anderes Wort oder die Numme
 form-opened = Bearbeitet { $cycle } im Programm, Zeile { $from } bis { $to }
 form-opened-line = Bearbeitet { $cycle } im Programm, Zeile { $line }
 explain-more = Mehr
+explain-concept = Konzept erklären
 explain-less = Weniger
 
 help-open = Hilfe
@@ -732,6 +733,7 @@ whole-certain = Sicherheit
 whole-certain-hint = Das Programm viele Male ausführen: wie sicher jeder Wert ist und was er beweist
 whole-certain-stop = Abbrechen
 whole-certain-busy = Das Programm läuft viele Male: { $share } %
+whole-certain-row = Zeile { $row }: { $told }
 whole-certain-told = Nachweislich gut: { $good }. Weder gut noch schlecht: { $undecided }. Nachweislich schlecht: { $bad }. Aus { $runs } Läufen.
 runs-open = Serie
 runs-open-hint = Dieses Programm für viele Teile ausführen, mit dem, was streut.
@@ -984,3 +986,12 @@ machine-values-state = Herkunft
 machine-values-typed = eingegeben
 machine-values-assumed = angenommen
 machine-values-where = Gelesen in
+
+# Concepts and terms of the manuals.
+terms-title = Begriffe und Konzepte
+terms-search = Begriffe und Konzepte suchen
+terms-search-hint = Schaltpunkt, Mittelwert, _FA
+terms-list = Begriffe
+terms-none = Kein Begriff und kein Konzept enthält diese Wörter.
+
+steps-title = Inbetriebnahme und Hochrüstung

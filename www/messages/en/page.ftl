@@ -97,6 +97,7 @@ tasks-none = Nothing found for “{ $search }”. Try another word, or a cycle o
 form-opened = Edits { $cycle } in the program, lines { $from } to { $to }
 form-opened-line = Edits { $cycle } in the program, line { $line }
 explain-more = More
+explain-concept = Explain the concept
 explain-less = Less
 
 help-open = Help
@@ -720,6 +721,7 @@ whole-certain = Certainty
 whole-certain-hint = Run the program many times: how certain each value is, and what it proves
 whole-certain-stop = Stop
 whole-certain-busy = The program is run many times: { $share }%
+whole-certain-row = Row { $row }: { $told }
 whole-certain-told = Proven good: { $good }. Neither good nor bad: { $undecided }. Proven bad: { $bad }. From { $runs } runs.
 runs-open = Series
 runs-open-hint = Run this program for many parts, with what varies.
@@ -966,3 +968,12 @@ machine-values-state = Source
 machine-values-typed = entered
 machine-values-assumed = assumed
 machine-values-where = Used in
+
+# Concepts and terms of the manuals.
+terms-title = Concepts and terms
+terms-search = Search concepts and terms
+terms-search-hint = Trigger point, mean value, _FA
+terms-list = Terms
+terms-none = No concept or term has these words.
+
+steps-title = Commissioning and upgrade

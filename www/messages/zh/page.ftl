@@ -97,6 +97,7 @@ tasks-none = 没有找到“{ $search }”。请换一个词，或输入循环�
 form-opened = 正在编辑程序中的 { $cycle }，第 { $from } 到 { $to } 行
 form-opened-line = 正在编辑程序中的 { $cycle }，第 { $line } 行
 explain-more = 展开
+explain-concept = 说明这一概念
 explain-less = 收起
 
 help-open = 帮助
@@ -704,6 +705,7 @@ whole-certain = 可靠性
 whole-certain-hint = 多次运行程序：每个值的可靠程度及其能证明什么
 whole-certain-stop = 停止
 whole-certain-busy = 正在多次运行程序：{ $share } %
+whole-certain-row = 第 { $row } 行：{ $told }
 whole-certain-told = 证明合格：{ $good }。无法判定：{ $undecided }。证明不合格：{ $bad }。共运行 { $runs } 次。
 runs-open = 批量
 runs-open-hint = 按各量的分散，对许多工件运行此程序。
@@ -928,3 +930,12 @@ machine-values-state = 来源
 machine-values-typed = 已输入
 machine-values-assumed = 假定
 machine-values-where = 使用处
+
+# Concepts and terms of the manuals.
+terms-title = 概念与术语
+terms-search = 搜索概念与术语
+terms-search-hint = 触发点、平均值、_FA
+terms-list = 术语
+terms-none = 没有包含这些词的概念或术语。
+
+steps-title = 调试与升级

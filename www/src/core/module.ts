@@ -3,6 +3,12 @@
 /** The core broke: a bug, never a wrong input. After it no call is safe. */
 export class Broken extends Error {}
 
+/** What the core said of it, without the name of the question. */
+export function reasonOf(problem: unknown): string {
+  const said = problem instanceof Broken ? problem.cause : problem;
+  return said instanceof Error ? said.message : String(said);
+}
+
 export function call<T>(name: string, run: () => T): T {
   try {
     return run();

@@ -11,6 +11,7 @@ import type {
   BrakingView,
   Catalogue,
   Changed,
+  CommissioningView,
   Converted,
   CuredAll,
   CureRequest,
@@ -48,6 +49,7 @@ import type {
   Setup,
   Story,
   Style,
+  TermsView,
   UserProgramsRequest,
   UserProgramsView,
   WholeCertaintyRequest,
@@ -122,6 +124,8 @@ export interface ProgramCore extends FormCore {
   catalogue(): Catalogue; // of all cycles
   alarms(): AlarmInfo[];
   help(request: HelpRequest): HelpView;
+  commissioning(): CommissioningView; // with the words of the help pages
+  terms(): TermsView; // with the words of the help pages
   machine(request: MachineRequest): MachineView;
   /** `why`: there is no such axis. */
   braking(request: BrakingRequest): BrakingView | { why: string };
@@ -320,6 +324,8 @@ export async function loadProgramCore(): Promise<ProgramCore> {
     read: request => JSON.parse(answer({ ask: "read", ...request })) as ReadView,
     cure: request => JSON.parse(answer({ ask: "cure", ...request })) as CuredAll,
     convert: request => JSON.parse(answer({ ask: "convert", ...request })) as Converted,
+    commissioning: () => JSON.parse(call("commissioning", () => wasm.commissioning())) as CommissioningView,
+    terms: () => JSON.parse(call("terms", () => wasm.terms())) as TermsView,
     help: request => JSON.parse(call("help", () => wasm.help(JSON.stringify(request)))) as HelpView,
     equip: request => JSON.parse(call("equip", () => wasm.equip(JSON.stringify(request)))) as EquipView,
     story: request => JSON.parse(call("story", () => wasm.story(JSON.stringify(request)))) as Story,

@@ -3,6 +3,7 @@
 
 import { initSync } from "@pkg/core/core.js";
 import type { Told } from "./handed";
+import { reasonOf } from "./module";
 import { answer, edit, type Held, hold, type Question, runInPieces, type Way } from "./program";
 import { buffersOf, type SceneData } from "./scene";
 import type { Columns } from "./steps";
@@ -58,7 +59,7 @@ async function reply({ question, held }: Asked): Promise<Reply> {
   try {
     return question.ask === "run" ? await runInPieces(question, about, between) : { json: answer(question, about) };
   } catch (problem) {
-    return { problem: problem instanceof Error ? problem.message : String(problem) };
+    return { problem: reasonOf(problem) };
   }
 }
 

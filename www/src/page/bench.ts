@@ -143,6 +143,15 @@ export function createBench(parts: Parts): Bench {
     const ofMachine = { setup: () => machineIn(store.state), take: actions.data };
     void import("../views/definitions").then(({ openDefinitions }) => openDefinitions(has, ofMachine, stop.signal));
   };
+  const commissioning = (): void => {
+    const has = core();
+    if (!has) return;
+    void import("../views/commissioning").then(({ openCommissioning }) => openCommissioning(has, store, stop.signal));
+  };
+  const terms = (concept?: string): void => {
+    const has = core();
+    if (has) void import("../views/terms").then(({ openTerms }) => openTerms(has, stop.signal, concept));
+  };
   const asked = (): ProgramQuestion | null => {
     if (!shown) return null;
     const { state, derived } = shown;
@@ -165,6 +174,8 @@ export function createBench(parts: Parts): Bench {
     repeat,
     userPrograms,
     definitions,
+    terms,
+    commissioning,
     series,
     importSetup: () => setupFile.click(),
     exportSetup: () => exportSetup(store, shown?.derived.view.setup),
@@ -175,7 +186,7 @@ export function createBench(parts: Parts): Bench {
   const later = behind(
     pieces => {
       pieces.createSheet(stage, () => shown, stop.signal);
-      const ways = { check: checkMachine, repeat, userPrograms, definitions };
+      const ways = { check: checkMachine, repeat, userPrograms, definitions, commissioning };
       const machineData = pieces.createMachineData(store, actions, core, ways);
       const difference = pieces.createDifference(actions);
       const palette = pieces.createPalette(
@@ -220,7 +231,7 @@ export function createBench(parts: Parts): Bench {
         drawChain: pieces.createChain(chain, store, actions),
         drawDifference: difference.draw,
         openPalette: palette.open,
-        drawHelp: pieces.createHelp(panels.help, store, actions, core),
+        drawHelp: pieces.createHelp(panels.help, store, actions, core, terms),
         machineData,
         equipment: pieces.createEquipment(store, actions, core, machineData),
       };
@@ -236,6 +247,7 @@ export function createBench(parts: Parts): Bench {
     () => sets.dialog.showModal(),
     program.goToLine,
     practice.call,
+    terms,
   );
   const machine = railButton(t("facts"), "machine", { class: "rail-machine", "aria-haspopup": "dialog" });
   on(machine, "click", () => later()?.equipment.open());

@@ -26,6 +26,8 @@ export interface Does {
   repeat(): void;
   userPrograms(): void;
   definitions(): void;
+  terms(): void;
+  commissioning(): void;
   series(): void;
   importSetup(): void;
   exportSetup(): void;
@@ -123,12 +125,14 @@ function ofView(
         },
       })),
     { id: "help", title: t("help-open"), run: actions.help },
+    { id: "terms", title: t("terms-title"), run: () => does.terms() },
     { id: "machine", title: t("profile-edit"), run: does.machine },
     { id: "setup-import", title: t("profile-import"), run: does.importSetup },
     { id: "setup-export", title: t("profile-export"), run: does.exportSetup },
     { id: "machine-data", title: t("machine-data-title"), run: does.machineData },
     { id: "machine-check", title: t("exported-title"), run: does.machineCheck },
     { id: "repeat", title: t("repeat-title"), run: does.repeat },
+    { id: "commissioning", title: t("steps-title"), run: () => does.commissioning() },
     { id: "user-programs", title: t("user-program-title"), run: does.userPrograms },
     { id: "definitions", title: t("definitions-title"), run: does.definitions },
     { id: "series", title: t("runs-title"), run: does.series },

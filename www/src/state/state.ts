@@ -197,6 +197,7 @@ export interface MachineState {
   before: Partial<Record<Dialect, string>>; // the cycle that the form had when the other control was chosen
   suits: Partial<Record<Dialect, Plane>>; // the usual plane of the sort of machine that it last was for a form
   told: Message | null; // what was done to it last
+  steps: Record<string, boolean>; // of commissioning, those that are done
 }
 
 /** The 3D view and the motions in it. */
@@ -404,7 +405,7 @@ export function firstState(): State {
       proposed: null,
       held: false,
     },
-    machine: { setups: {}, parked: [], own: {}, before: {}, suits: {}, told: null },
+    machine: { setups: {}, parked: [], own: {}, before: {}, suits: {}, told: null, steps: {} },
     view: {
       source: "form",
       step: AT_END,

@@ -139,6 +139,7 @@ const FIELDS = {
   before: field("machine", "before", texts),
   own: field("machine", "own", value => (value === undefined ? undefined : ownMachines(value))),
   suits: field("machine", "suits", planes),
+  steps: field("machine", "steps", all(flag)),
   checked: field("form", "checked"),
   touched: field(
     "form",

@@ -26,24 +26,31 @@ function chances({ good, rework, scrap, beyond }: NonNullable<Certain["chances"]
 export const provenOf = ({ proof, chances: all }: Certain): string =>
   [proof ? t(`certain-proof-${proof}`) : "", all ? chances(all) : ""].filter(Boolean).join(" ");
 
-/** The most important quantity; none where nothing spreads. */
-export function certainty({ figures, stopped }: CertaintyView): TemplateResult | typeof nothing {
-  const first = figures[0];
-  if (!first) return nothing;
-  const { value, expanded, decimals, unit, coverage, symbol, proof, budget } = first;
-  const told = t("certain-value", {
+/** The value with its expanded uncertainty. */
+export const spokenOf = ({ value, expanded, decimals, unit, coverage, symbol }: Certain): string =>
+  t("certain-value", {
     value: `${symbol} ${fixed(value, decimals)}`.trim(),
     expanded: `${fixed(expanded, decimals)}${unitBehind(unit)}`,
     coverage: fixed(coverage, 0),
   });
-  const [largest] = budget;
+
+/** What makes most of it. */
+export function largestOf({ budget: [largest] }: Certain): string {
+  return largest ? t("certain-largest", { source: say(largest.source), share: percent(largest.share) }) : "";
+}
+
+/** The most important quantity; none where nothing spreads. */
+export function certainty({ figures, stopped }: CertaintyView): TemplateResult | typeof nothing {
+  const first = figures[0];
+  if (!first) return nothing;
+  const { proof } = first;
   const parts = [
     proof ? t(`certain-proof-${proof}`) : "",
     first.chances ? chances(first.chances) : "",
-    largest ? t("certain-largest", { source: say(largest.source), share: percent(largest.share) }) : "",
+    largestOf(first),
     stopped >= LEAST ? t("certain-stopped", { share: percent(stopped) }) : "",
   ];
   return html`<div class="answer-certain" data-proof=${proof ?? nothing}>
-    <span>${told}</span>${parts.filter(Boolean).map(part => html` <span>${part}</span>`)}
+    <span>${spokenOf(first)}</span>${parts.filter(Boolean).map(part => html` <span>${part}</span>`)}
   </div>`;
 }

@@ -12,16 +12,19 @@ export interface Explain {
   draw(cycle: string, field: Field | undefined): void;
 }
 
-export function createExplain(): Explain {
+/** `background`: shows the concept that explains the field. */
+export function createExplain(background: (concept: string) => void): Explain {
   const about = el("p", { class: "lead" });
   const named = el("strong", {});
   const code = el("code", {});
   const told = el("span", {});
-  const explained = el("p", { class: "lead" }, named, " ", code, " ", told);
+  const concept = el("button", { type: "button", class: "explain-concept", hidden: true }, t("explain-concept"));
+  const explained = el("p", { class: "lead" }, named, " ", code, " ", told, " ", concept);
   const text = el("div", { class: "explain-text", id: "explain-text" }, about, explained);
   const more = el("button", { type: "button", class: "explain-more", hidden: true, "aria-controls": "explain-text" });
   const root = el("div", { class: "explain" }, text, more);
   let open = false;
+  let topic = "";
 
   const unfold = (now: boolean): void => {
     open = now;
@@ -36,6 +39,7 @@ export function createExplain(): Explain {
     unfold(!open);
     fit();
   });
+  on(concept, "click", () => background(topic));
   on(root, "keydown", event => {
     if (meantBy(event, "page") !== "close" || !open) return;
     unfold(false);
@@ -54,6 +58,8 @@ export function createExplain(): Explain {
       show(about, !field && cycle !== "");
       show(explained, !!field);
       if (!field) return;
+      topic = field.concept ?? "";
+      show(concept, topic !== "");
       setText(named, say(field.label));
       setText(code, field.name);
       const source = field.source && t("field-source", { source: field.source });

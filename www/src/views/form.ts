@@ -83,9 +83,10 @@ export function createForm(
   showSets: () => void,
   goToLine: (line: number) => void,
   practise: CallPractice,
+  background: (concept: string) => void,
 ): (state: State, derived: Derived) => void {
   const title = el("h2", { id: "form-title" });
-  const explain = createExplain();
+  const explain = createExplain(background);
   const where = el("span", {});
   const chip = el("button", { type: "button", class: "chip", "aria-controls": "panel-tasks" });
   const help = el(

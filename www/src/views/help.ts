@@ -17,19 +17,22 @@ export function createHelp(
   store: Store,
   actions: Actions,
   core: () => ProgramCore | null,
+  background: () => void,
 ): (state: State, derived: Derived) => void {
   const title = el("h2", { id: "help-title" });
+  const terms = el("button", { type: "button", class: "quiet" }, t("terms-title"));
   const close = el("button", { type: "button", class: "quiet" }, t("help-close"));
   const note = el("p", { class: "empty" });
   const page = el("div", { class: "help-page" });
   root.append(
-    el("header", { class: "panel-head" }, title, close),
+    el("header", { class: "panel-head" }, title, terms, close),
     el("div", { class: "scroll", tabindex: "0", role: "region", "aria-labelledby": "help-title" }, note, page),
   );
   const leave = (): void => {
     actions.help();
     document.querySelector<HTMLElement>(".help-open")?.focus();
   };
+  on(terms, "click", () => background());
   on(close, "click", leave);
   on(root, "keydown", event => {
     if (meantBy(event, "page") === "close") leave();

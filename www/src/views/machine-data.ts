@@ -75,12 +75,13 @@ function citedText({ name, key, set, source }: MachineField): string {
 const choiceText = (key: string, value: number): string => `${plain(value)} · ${optional(`${key}.v${value}`)}`;
 
 /** Ways from here: `check` holds what a control exported against what measuring needs, `repeat` tests a probe,
- * `userPrograms` writes lines around the cycles, `definitions` those of the definition files. */
+ * `userPrograms` writes lines around the cycles, `definitions` those of the definition files,
+ * `commissioning` lists its steps. */
 export function createMachineData(
   store: Store,
   actions: Actions,
   core: () => ProgramCore | null,
-  ways: { check(): void; repeat(): void; userPrograms(): void; definitions(): void },
+  ways: { check(): void; repeat(): void; userPrograms(): void; definitions(): void; commissioning(): void },
 ): MachineData {
   const search = el("input", {
     type: "search",
@@ -103,6 +104,7 @@ export function createMachineData(
   const reset = el("button", { type: "button" }, t("machine-data-reset"));
   const checking = el("button", { type: "button" }, t("exported-title"));
   const repeating = el("button", { type: "button" }, t("repeat-title"));
+  const steps = el("button", { type: "button" }, t("steps-title"));
   const writing = el("button", { type: "button" }, t("user-program-title"));
   const dialog = el(
     "dialog",
@@ -123,7 +125,7 @@ export function createMachineData(
     ),
     list,
     cited,
-    el("div", { class: "actions" }, checking, repeating, writing, assignments, definitions, reset, close),
+    el("div", { class: "actions" }, checking, repeating, writing, steps, assignments, definitions, reset, close),
   );
   document.body.append(dialog);
 
@@ -230,6 +232,10 @@ export function createMachineData(
   on(writing, "click", () => {
     dialog.close();
     ways.userPrograms();
+  });
+  on(steps, "click", () => {
+    dialog.close();
+    ways.commissioning();
   });
   on(assignments, "click", () => void copyText(view?.assignments ?? "", store, "notice-copied"));
   on(definitions, "click", () => {

@@ -8,6 +8,7 @@ import { icon } from "../icons";
 import { fixed } from "../numbers";
 import { say, sayProblem, t } from "../texts";
 import type { Certain, RunView, WholeCertainty } from "../wire";
+import { largestOf, provenOf, spokenOf } from "./certain";
 
 type Row = RunView["answers"][number];
 const LOOK = 250; // ms between two looks at how far it is
@@ -27,6 +28,8 @@ export interface WholeCertain {
   known(): boolean;
   /** What decides about the row. */
   proof(index: number): Certain | undefined;
+  /** The chosen row: its certainty is told in words. */
+  about(index: number): void;
   /** Another run is shown: nothing is known of it. */
   forget(): void;
 }
@@ -38,11 +41,13 @@ export const spreadOf = (one: Certain | undefined): string => (one ? ` ±${fixed
 export function createWholeCertain(ways: CertainWays, rows: () => Row[], changed: () => void): WholeCertain {
   const word = el("span", {}, t("whole-certain"));
   const button = el("button", { type: "button", title: t("whole-certain-hint") }, icon("gauge"), word);
-  const status = el("p", { class: "whole-certain", role: "status", hidden: true });
+  const sum = el("span", {});
+  const chosen = el("span", { class: "whole-certain-row", hidden: true });
+  const status = el("p", { class: "whole-certain", role: "status", hidden: true }, sum, " ", chosen);
   let known: WholeCertainty | null = null;
   let looking = 0;
   const report = (text: string): void => {
-    setText(status, text);
+    setText(sum, text);
     show(status, text !== "");
   };
   const aside = createAside(() => ways.core()?.module, take);
@@ -87,10 +92,18 @@ export function createWholeCertain(ways: CertainWays, rows: () => Row[], changed
     status,
     known: () => known !== null && known.runs > 0,
     proof,
+    about(index) {
+      const first = known?.calls[index]?.figures[0];
+      const told = proof(index) ?? first;
+      const parts = told ? [spokenOf(told), provenOf(told), largestOf(told)] : [];
+      setText(chosen, told ? t("whole-certain-row", { row: index + 1, told: parts.filter(Boolean).join(" ") }) : "");
+      show(chosen, !!told && !aside.busy());
+    },
     of: (index, figure) => known?.calls[index]?.figures.find(one => one.name === figure),
     forget() {
       if (!known && !aside.busy() && status.hidden) return;
       known = null;
+      show(chosen, false);
       stop();
     },
   };

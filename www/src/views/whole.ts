@@ -151,7 +151,7 @@ function cells(
     limits: limited(row, proof),
     deviation: lines(off.length ? off : ["–"]),
     verdict: html`<span class="verdict" data-verdict=${row.verdict} data-proof=${proof?.proof ?? nothing} title=${why}
-      >${iconPart(VERDICT_ICONS[row.verdict])}${say(row.verdict_words)}</span
+      >${iconPart(proof?.proof === "undecided" ? "help" : VERDICT_ICONS[row.verdict])}${say(row.verdict_words)}</span
     >`,
     corrects: certain ? correctedText(row) || t("bar-nothing") : "–",
     probe: html`<span class="probe" data-state=${row.probe.state} title=${say(row.probe.name)}
@@ -278,6 +278,7 @@ export function createWhole(
       }),
       space,
     );
+    certain.about(selected);
     const there = order[current];
     setAttribute(table, "aria-activedescendant", current >= first && current < last ? `whole-${there}` : null);
   }

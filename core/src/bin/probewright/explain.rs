@@ -10,6 +10,7 @@ use probewright_core::report::explain::{arguments, cycle, datum, list, older, se
 use probewright_core::report::findings::finding;
 use probewright_core::report::foreign;
 use probewright_core::report::jog::explained;
+use probewright_core::report::terms;
 use probewright_core::words::Words;
 use std::io::Write;
 use std::process::ExitCode;
@@ -24,7 +25,12 @@ pub fn explain(name: &str, number: Option<i64>, words: &Words, out: &mut dyn Wri
         (None, None) => {
             let newer = arguments(name, words) + &list(name, words) + &setting_datum(name, words);
             let foreign = foreign::cycle(name, words) + &foreign::parameter(name, words);
-            datum(name, words) + &finding(name, words) + &newer + &older(name, words) + &foreign
+            datum(name, words)
+                + &finding(name, words)
+                + &newer
+                + &older(name, words)
+                + &foreign
+                + &terms::explained(name, words)
         }
     };
     if text.is_empty() {

@@ -115,6 +115,8 @@ fn the_types_of_the_page_are_those_of_the_core() {
     types.visit::<FormView>();
     types.visit::<HelpRequest>();
     types.visit::<HelpView>();
+    types.visit::<TermsView>();
+    types.visit::<CommissioningView>();
     types.visit::<MachineRequest>();
     types.visit::<MachineView>();
     types.visit::<BrakingRequest>();

@@ -1,0 +1,75 @@
+//! How measuring cycles come to a machine: the steps of commissioning and upgrade by the sort of operator panel, and the
+//! connections of probes. Their words are messages: `commission-…`, its `-do`, `-if` and `-check`; `connection-…`.
+
+use super::Cited;
+use super::explained::{rows, several};
+use std::sync::LazyLock;
+
+/// A step of a way to commission.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Step {
+    /// End of the key of the way to which it belongs.
+    pub path: &'static str,
+    /// By which the way knows it.
+    pub id: &'static str,
+    /// Which sentences it has beside what is to be done: `if` when it is due, `check` how it is seen to be right.
+    pub more: Vec<&'static str>,
+    /// Versions for which it is.
+    pub versions: &'static str,
+    /// Files and archives.
+    pub files: &'static str,
+    /// Softkeys and lines, as the control has them.
+    pub softkeys: &'static str,
+    /// Where the manuals tell of it.
+    pub source: Cited,
+}
+
+/// A signal of a plug, or a bit of the interface to the PLC.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Connection {
+    /// End of its keys.
+    pub id: &'static str,
+    /// Pin, plug or address.
+    pub signal: &'static str,
+    /// Where the manuals tell of it.
+    pub source: Cited,
+}
+
+/// All steps, those of a way together and in their order.
+pub static STEPS: LazyLock<Vec<Step>> = LazyLock::new(|| {
+    let step = |[path, id, more, versions, files, softkeys, source]: [&'static str; 7]| Step {
+        path,
+        id,
+        more: several(more),
+        versions,
+        files,
+        softkeys,
+        source: Cited(source),
+    };
+    rows(include_str!("steps.tsv")).map(step).collect()
+});
+
+/// All connections.
+pub static CONNECTIONS: LazyLock<Vec<Connection>> = LazyLock::new(|| {
+    let connection = |[id, signal, source]: [&'static str; 3]| Connection { id, signal, source: Cited(source) };
+    rows(include_str!("connections.tsv")).map(connection).collect()
+});
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+
+    // oracle: self: no row of a table is lost, each place of a manual is found
+    #[test]
+    fn the_tables_are_whole() {
+        assert_eq!(STEPS.len() + 1, include_str!("steps.tsv").lines().count());
+        assert_eq!(CONNECTIONS.len() + 1, include_str!("connections.tsv").lines().count());
+        let ids: BTreeSet<_> = STEPS.iter().map(|step| (step.path, step.id)).collect();
+        assert_eq!(ids.len(), STEPS.len());
+        assert!(STEPS.iter().all(|step| !step.source.to_string().is_empty()));
+        assert!(CONNECTIONS.iter().all(|one| !one.source.to_string().is_empty()));
+        let paths = STEPS.chunk_by(|one, next| one.path == next.path).count();
+        assert_eq!(STEPS.iter().map(|step| step.path).collect::<BTreeSet<_>>().len(), paths, "a way stands together");
+    }
+}

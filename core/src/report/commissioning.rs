@@ -1,0 +1,97 @@
+//! The steps of commissioning and the connections of probes: their page in `docs/`, and what the terminal prints of a way.
+
+use super::markdown::{line, table};
+use crate::app::{CommissioningPath, CommissioningStep, CommissioningView, ConnectionView, commissioning};
+use crate::words::Words;
+use std::fmt::Write;
+
+/// The page, Markdown.
+pub fn page(words: &Words) -> String {
+    let CommissioningView { paths, connections } = commissioning();
+    let mut text = String::new();
+    line(&mut text, &format!("# {}", words.key("report-commissioning")));
+    line(&mut text, &words.key("report-commissioning-intro"));
+    for path in &paths {
+        line(&mut text, &format!("## {}", words.text(&path.title)));
+        for step in &path.steps {
+            line(&mut text, &format!("**{}** {}", titled(step, words), said(step, words).join(" ")));
+        }
+    }
+    let row = |one: ConnectionView| {
+        [format!("`{}`", one.signal), words.text(&one.title), words.text(&one.meaning), one.source.to_string()]
+    };
+    let title = words.key("report-connections");
+    let columns = ["signal", "name", "meaning", "source"];
+    table(&mut text, &title, columns, connections.into_iter().map(row), words);
+    text.trim_end().to_owned() + "\n"
+}
+
+/// Number and title of a step.
+fn titled(step: &CommissioningStep, words: &Words) -> String {
+    format!("{} {}", step.number, words.text(&step.title)).trim().to_owned()
+}
+
+/// What a step says beside its title.
+fn said(step: &CommissioningStep, words: &Words) -> Vec<String> {
+    let named = |key: &str, text: &str| {
+        (!text.is_empty()).then(|| format!("{}: `{text}`.", words.key(format!("report-commissioning-{key}"))))
+    };
+    let sentences = [step.condition.as_ref(), Some(&step.action), step.check.as_ref()];
+    let sentences = sentences.into_iter().flatten().map(|message| words.text(message));
+    let data = [named("softkeys", step.softkeys), named("files", step.files), named("versions", step.versions)];
+    sentences.chain(data.into_iter().flatten()).chain([format!("({})", step.source)]).collect()
+}
+
+/// The ways with their names, as the terminal prints them.
+pub fn ways(words: &Words) -> String {
+    commissioning().paths.iter().map(|path| format!("{}: {}\n", path.id, words.text(&path.title))).collect()
+}
+
+/// The steps of a way by its name, `connections` all connections. Empty: there is none.
+pub fn steps(way: &str, words: &Words) -> String {
+    let CommissioningView { paths, connections } = commissioning();
+    let mut text = String::new();
+    if way.eq_ignore_ascii_case("connections") {
+        for one in connections {
+            let (title, meaning) = (words.text(&one.title), words.text(&one.meaning));
+            let _ = writeln!(text, "{} ({}): {meaning} ({})", title, one.signal, one.source);
+        }
+        return text;
+    }
+    let Some(CommissioningPath { title, steps, .. }) = paths.into_iter().find(|one| one.id.eq_ignore_ascii_case(way))
+    else {
+        return text;
+    };
+    let _ = writeln!(text, "{}", words.text(&title));
+    for step in &steps {
+        let _ = writeln!(text, "\n[ ] {}", titled(step, words));
+        for sentence in said(step, words) {
+            let _ = writeln!(text, "    {sentence}");
+        }
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+
+    // oracle: self
+    #[test]
+    fn the_page_is_that_of_the_tables() {
+        super::super::held("commissioning.md", page);
+    }
+
+    // oracle: self: each way that is listed has its steps
+    #[test]
+    fn each_way_has_steps() {
+        let words = Words::of("en").unwrap();
+        for way in ways(&words).lines() {
+            let name = way.split(':').next().unwrap();
+            assert!(steps(name, &words).contains("[ ] "), "{name}");
+        }
+        assert!(steps("connections", &words).contains("X121"));
+        assert_eq!(steps("nobody", &words), "");
+    }
+}
