@@ -20,7 +20,8 @@ pub const KEYS: &[&str] = &[
     "run-log-on", "run-scan-limit", "run-unread-value", "run-unread-way", "run-parameter", "run-no-edge", "run-far",
     "run-no-value", "run-errors", "run-crash-tool", "run-machine-value", "run-argument-unknown", "run-standard",
     "run-step", "run-data", "run-trace-full", "run-axes", "run-waits", "run-passed", "run-synchronous",
-    "run-transformed", "run-restart", "run-program-unknown",
+    "run-transformed", "run-restart", "run-program-unknown", "run-skipped-dry-run", "run-skipped-program-test",
+    "run-skipped-block-search", "run-skipped-simulation", "run-jobshop", "run-deviation", "run-search-missed",
 ];
 
 /// Keys of what a run goes on without: named at its end.

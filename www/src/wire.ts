@@ -956,6 +956,8 @@ export type EquipmentCell = {
   source: Cited,
   /** Whether nothing in the simulation reads it. */
   idle: boolean,
+  /** Versions of the measuring cycles in which it is there, where that is told. */
+  versions?: Versions,
 } & ({ "kind": "real" } | { "kind": "integer" } | { "kind": "choice",
   /** The numbers. */
   choices: Array<number>,
@@ -1495,6 +1497,8 @@ export type MachineField = {
   source: Cited,
   /** Whether nothing in the simulation reads it. */
   idle: boolean,
+  /** Versions of the measuring cycles in which it is there, where that is told. */
+  versions?: Versions,
 } & ({ "kind": "real" } | { "kind": "integer" } | { "kind": "choice",
   /** The numbers. */
   choices: Array<number>,
@@ -2613,6 +2617,9 @@ export type RunDecision = {
   cycle?: string,
 };
 
+/** How a program is carried out. */
+export type RunMode = "automatic" | "dry-run" | "program-test" | "block-search" | "simulation" | "jobshop";
+
 /**
  * The record of a run. Lengths in the unit beside them, angles in degree. Every `key` names a text of Probewright and
  * stays the same in all languages; `text` is what it says.
@@ -2646,6 +2653,10 @@ export type RunRequest = {
   arguments?: { [key in string]: Datum },
   /** Whether what is not there stops the run: a subprogram, a value that only the machine has; absent: no. */
   strict?: boolean,
+  /** How it is carried out; absent: in AUTOMATIC. */
+  mode?: RunMode,
+  /** Line, from 1, up to which a block search goes; absent: the whole program is searched through. */
+  target?: number,
   /** Work in blocks after which the run is given up; absent: never. */
   blocks?: number,
   /** Files beside the program: its subprograms, definition files; absent: none. */
@@ -3688,6 +3699,14 @@ export type Vary = {
 
 /** What follows from a measurement. */
 export type Verdict = "within" | "beyond" | "rework" | "scrap" | "alarm" | "stopped" | "measured";
+
+/** Versions of a datum. */
+export type Versions = {
+  /** The first one; empty: it is older than all that is told. */
+  from: string,
+  /** The last one; empty: still there. */
+  until: string,
+};
 
 /** From where the drawing is seen. */
 export type View = "plane" | "section";

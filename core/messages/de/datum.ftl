@@ -774,3 +774,6 @@ datum-sd55642 = Zusätzlicher Sicherheitswinkel an Ecken
 datum-sd55740 = Funktionen des Messens
     .help = Bits für Kollisionsüberwachung, Spindelkopplung, höchstens 4 Wiederholungen, schnelles Messen mit 2 mm Rückzug, den Anwenderzyklus CUST_MEACYC und das Protokoll (neu, angehängt, Text, Tabelle).
 machine-group-setting-data = Settingdaten neuerer Steuerungen
+
+version-from = Ab Messzyklen SW { $from }.
+version-until = Bis Messzyklen SW { $until }.

@@ -129,3 +129,10 @@ scenario-text = { $name }: „{ $found }“. Erwartet: „{ $expected }“.
 scenario-no-file = Die Datei { $name } fehlt.
 run-deflected = Bei { $feed } mm/min steht die Achse { $path } mm hinter dem Signal; der Messtaster verträgt { $deflection } mm.
 run-deflected-too-far = Bei { $feed } mm/min steht die Achse erst { $path } mm hinter dem Signal; der Messtaster verträgt nur { $deflection } mm und würde beschädigt.
+run-skipped-dry-run = { $word } wird übersprungen: Probelauf ($P_DRYRUN). _OVR[] und _OVI[] behalten ihre Werte, nichts wird korrigiert.
+run-skipped-program-test = { $word } wird übersprungen: Programmtest ($P_ISTEST). _OVR[] und _OVI[] behalten ihre Werte, nichts wird korrigiert.
+run-skipped-block-search = { $word } wird übersprungen: Satzsuchlauf ($P_SEARCH). _OVR[] und _OVI[] behalten ihre Werte, nichts wird korrigiert.
+run-skipped-simulation = { $word } wird übersprungen: Simulation mit _MC_SIMSIM = 0. _OVR[] und _OVI[] behalten ihre Werte, nichts wird korrigiert.
+run-jobshop = { $word } wird simuliert: Er misst, korrigiert aber nichts, zeigt kein Ergebnis und protokolliert nicht.
+run-deviation = { $word } misst { NUMBER($deviation) } mm hinter der Berührung in Messrichtung (_MC_SIMDIFF).
+run-search-missed = Der Satzsuchlauf hat Zeile { $line } nicht erreicht: Alle Messzyklen wurden übersprungen.

@@ -774,3 +774,6 @@ datum-sd55642 = Additional angle of safety at corners
 datum-sd55740 = Functions of measuring
     .help = Bits for collision monitoring, spindle coupling, at most 4 repeats, fast measuring with 2 mm of retract, the user cycle CUST_MEACYC and the log (new or appended, text or table).
 machine-group-setting-data = Setting data of newer controls
+
+version-from = From measuring cycles SW { $from }.
+version-until = Up to measuring cycles SW { $until }.

@@ -129,3 +129,10 @@ scenario-text = { $name }: “{ $found }”. Expected: “{ $expected }”.
 scenario-no-file = The file { $name } is missing.
 run-deflected = At { $feed } mm/min the axis stops { $path } mm behind the signal; the probe takes { $deflection } mm.
 run-deflected-too-far = At { $feed } mm/min the axis stops { $path } mm behind the signal; the probe takes { $deflection } mm only and would be damaged.
+run-skipped-dry-run = { $word } is skipped: dry run ($P_DRYRUN). _OVR[] and _OVI[] keep their values, nothing is corrected.
+run-skipped-program-test = { $word } is skipped: program test ($P_ISTEST). _OVR[] and _OVI[] keep their values, nothing is corrected.
+run-skipped-block-search = { $word } is skipped: block search ($P_SEARCH). _OVR[] and _OVI[] keep their values, nothing is corrected.
+run-skipped-simulation = { $word } is skipped: simulation with _MC_SIMSIM = 0. _OVR[] and _OVI[] keep their values, nothing is corrected.
+run-jobshop = { $word } is simulated: it measures, but corrects nothing, shows no result and writes no log.
+run-deviation = { $word } measures { NUMBER($deviation) } mm beyond the touch in the measuring direction (_MC_SIMDIFF).
+run-search-missed = The block search did not reach line { $line }: all measuring cycles were skipped.

@@ -771,3 +771,6 @@ datum-sd55642 = 拐角处的附加安全角
 datum-sd55740 = 测量功能
     .help = 用于碰撞监控、主轴耦合、最多重复 4 次、回退 2 mm 的快速测量、用户循环 CUST_MEACYC 和日志（新建或追加，文本或表格）的各位。
 machine-group-setting-data = 新型控制系统的设定数据
+
+version-from = 从测量循环 SW { $from } 起。
+version-until = 至测量循环 SW { $until }。

@@ -129,3 +129,10 @@ scenario-text = { $name }：“{ $found }”。预期：“{ $expected }”。
 scenario-no-file = 缺少文件 { $name }。
 run-deflected = 以 { $feed } mm/min 触碰时，轴停在信号之后 { $path } mm 处；测头允许 { $deflection } mm。
 run-deflected-too-far = 以 { $feed } mm/min 触碰时，轴停在信号之后 { $path } mm 处；测头只允许 { $deflection } mm，会损坏。
+run-skipped-dry-run = 跳过 { $word }：空运行（$P_DRYRUN）。_OVR[] 和 _OVI[] 保持原值，不进行补偿。
+run-skipped-program-test = 跳过 { $word }：程序测试（$P_ISTEST）。_OVR[] 和 _OVI[] 保持原值，不进行补偿。
+run-skipped-block-search = 跳过 { $word }：程序段搜索（$P_SEARCH）。_OVR[] 和 _OVI[] 保持原值，不进行补偿。
+run-skipped-simulation = 跳过 { $word }：仿真且 _MC_SIMSIM = 0。_OVR[] 和 _OVI[] 保持原值，不进行补偿。
+run-jobshop = { $word } 为仿真：进行测量，但不补偿刀具和零点偏移，不显示结果画面，也不写测量记录。
+run-deviation = { $word } 的测量位置沿测量方向超出接触点 { NUMBER($deviation) } mm（_MC_SIMDIFF）。
+run-search-missed = 程序段搜索没有到达第 { $line } 行：跳过了所有测量循环。

@@ -20,6 +20,7 @@ use crate::machine::{Entry, Stop};
 use crate::message::Message;
 use crate::run::called::Called;
 use crate::run::left::{CallAt, Left};
+use crate::run::mode::Mode;
 use crate::run::of_machine::MachineValue;
 use crate::run::outcome::{Outcome, PassedOver};
 use crate::run::{Limits, Session};
@@ -46,6 +47,10 @@ pub struct RunRequest {
     pub arguments: Option<BTreeMap<String, Value>>,
     /// Whether what is not there stops the run: a subprogram, a value that only the machine has; absent: no.
     pub strict: Option<bool>,
+    /// How it is carried out; absent: in AUTOMATIC.
+    pub mode: Option<Mode>,
+    /// Line, from 1, up to which a block search goes; absent: the whole program is searched through.
+    pub target: Option<u32>,
     /// Work in blocks after which the run is given up; absent: never.
     pub blocks: Option<u32>,
     /// Files beside the program: its subprograms, definition files; absent: none.
@@ -222,7 +227,8 @@ pub(super) fn session(
 /// let text = "R1=20*2\nG0 X=R1\nM30\n".into();
 /// let control = Dialect::Sinumerik;
 /// let (program, arguments, strict, blocks) = (None, None, None, None);
-/// let asked = RunRequest { control, text, setup: None, program, arguments, strict, blocks, with: None };
+/// let (setup, mode, target, with) = (None, None, None, None);
+/// let asked = RunRequest { control, text, setup, program, arguments, strict, mode, target, blocks, with };
 /// let mut run = Run::new(asked)?;
 /// while !run.advance(100) {}
 /// let view = run.view();
@@ -245,7 +251,9 @@ impl Run {
         let setup = start(asked.control, asked.setup)?.setup;
         let whole = Whole::new(asked.control, asked.text, asked.with);
         let steps = asked.blocks.map(u64::from);
-        let limits = Limits { steps, strict: asked.strict.unwrap_or_default(), ..Limits::default() };
+        let (mode, target) = (asked.mode.unwrap_or_default(), asked.target.unwrap_or_default());
+        let strict = asked.strict.unwrap_or_default();
+        let limits = Limits { steps, strict, mode, target, ..Limits::default() };
         let arguments = asked.arguments.unwrap_or_default();
         let session = session(&whole, &setup, limits, asked.program.as_deref(), arguments);
         Ok(Run { session, setup, whole })

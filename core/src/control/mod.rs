@@ -23,6 +23,7 @@ pub mod setting_data;
 pub mod tools;
 pub mod units;
 pub mod variables;
+pub mod versions;
 
 pub use calibration::Calibration;
 pub use data::{Data, FORMS, GENERATION, OF_LISTS, OLDER_JOG};

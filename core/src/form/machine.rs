@@ -6,6 +6,7 @@ use crate::control::idle::idle;
 use crate::control::machine_data::MACHINE_DATA;
 use crate::control::nct_data::NctDatum;
 use crate::control::setting_data::{SETTING_DATA, SettingDatum};
+use crate::control::versions::{Versions, versions};
 use crate::control::{Control, GENERATION, OLDER_JOG, Units, Value, gud, machine_data, nct_data};
 use crate::dialect::Dialect;
 use crate::manual::Cited;
@@ -58,6 +59,10 @@ pub struct Setting {
     pub source: Cited,
     /// Whether nothing in the simulation reads it.
     pub idle: bool,
+    /// Versions of the measuring cycles in which it is there, where that is told.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional))]
+    pub versions: Option<&'static Versions>,
 }
 
 /// Settings of one subject.
@@ -95,6 +100,7 @@ fn nct(basic: Units) -> Vec<Group> {
         range: datum.element.range,
         source: Cited(datum.element.source),
         idle: false,
+        versions: None,
     };
     let subjects = nct_data::SUBJECTS.iter();
     subjects.map(|subject| group(subject.key, subject.data.iter().map(setting).collect())).collect()
@@ -130,6 +136,7 @@ fn ours(name: &str, key: &str, choices: &'static [i64]) -> Setting {
         range: Range::closed(0.0, choices.len() as f64 - 1.0),
         source: Cited(""),
         idle: false,
+        versions: None,
     }
 }
 
@@ -156,6 +163,7 @@ fn setting(gud: &'static Gud, element: &Element, at: &[usize], basic: Units) -> 
     let name = gud.spelled(at);
     Setting {
         idle: idle(&name),
+        versions: versions(&name),
         name,
         key: gud.key(element),
         field: at.first().filter(|_| numbered).map(|k| (gud.name, k + 1)),
@@ -177,11 +185,12 @@ fn of_setting_datum(datum: &'static SettingDatum, control: &Control) -> Vec<Sett
         range: Range::ANY,
         source: Cited(""),
         idle: true,
+        versions: None,
     };
     let one = |place: Option<usize>| match datum.older() {
         Some((gud, element)) => {
             let older = setting(gud, element, &datum.older_place(place), control.basic_units);
-            Setting { name: datum.spelled(place), field: None, source: Cited(""), ..older }
+            Setting { name: datum.spelled(place), field: None, source: Cited(""), versions: None, ..older }
         }
         None => of_its_own(datum.spelled(place)),
     };
@@ -191,6 +200,7 @@ fn of_setting_datum(datum: &'static SettingDatum, control: &Control) -> Vec<Sett
 fn of_machine_datum(datum: &'static machine_data::MachineDatum) -> Vec<Setting> {
     let setting = |name: String| Setting {
         idle: idle(&name),
+        versions: versions(&name),
         name,
         key: datum.key(),
         field: None,

@@ -6,6 +6,7 @@ pub mod entries;
 pub mod files;
 pub mod in_use;
 pub mod possible;
+mod pretended;
 pub mod route;
 #[cfg(test)]
 mod route_tests;
@@ -19,6 +20,7 @@ pub use clock::Clock;
 pub use entries::Entries;
 pub use files::Files;
 pub use in_use::InUse;
+pub use pretended::Pretended;
 pub use route::Route;
 pub use setup::{PROBE_TOOL, Setup, ideal_probe, probe_data, probe_place};
 pub use sim::Sim;

@@ -1,6 +1,6 @@
 //! The simulated machine: moves the probe among the solids and records what happens.
 
-use super::{Clock, Entry, Files, InUse, Machine, MotionKind, Route, Setup, Step, Stop, Trace, route::LOOK};
+use super::{Clock, Entry, Files, InUse, Machine, MotionKind, Pretended, Route, Setup, Step, Stop, Trace, route::LOOK};
 use crate::control::{Control, MachineSort};
 use crate::geometry::{Around, Degrees, FARTHEST, Mcs, Wcs};
 use crate::message::Message;
@@ -71,6 +71,8 @@ pub struct Sim {
     gives_way: bool,
     /// Whether a measuring cycle is running.
     pub in_cycle: bool,
+    /// What of a measurement only seems so.
+    pub pretended: Pretended,
     /// Way so far with the signal of the probe watched, mm.
     watched: f64,
     /// Whether the last signal came from a contact.
@@ -119,6 +121,7 @@ impl Sim {
             skipped: None,
             gives_way: false,
             in_cycle: false,
+            pretended: Pretended::default(),
             watched: 0.0,
             touching: true,
             stylus_touched: false,
@@ -158,7 +161,8 @@ impl Sim {
 
     /// Straight measuring motion to a machine position; see [`Machine::probe`].
     pub(crate) fn probe_machine(&mut self, to: Mcs, feed: f64) -> Result<Option<Mcs>, Stop> {
-        let latched = self.seek(to, feed)?;
+        let from = self.position;
+        let latched = self.seek(to, feed)?.map(|at| self.pretended.latched(from, to, at));
         self.skipped = Some(self.control.to_workpiece(latched.unwrap_or(to)));
         Ok(latched)
     }
@@ -346,6 +350,9 @@ impl Machine for Sim {
     }
 
     fn correct(&mut self, name: &str, value: f64) {
+        if !self.pretended.corrects && self.in_cycle {
+            return;
+        }
         self.with_length(|control| control.set_variable(name, value));
     }
 

@@ -5,6 +5,7 @@ use crate::catalogue::newer::LISTS;
 use crate::catalogue::newer::arguments::{Argument, Evidence};
 use crate::catalogue::{CYCLES, r_parameters, subroutines};
 use crate::control::setting_data::SETTING_DATA;
+use crate::control::versions::{Versions, versions};
 use crate::entry::{Cycle, Variant};
 use crate::manual::Cited;
 use crate::message::Message;
@@ -60,11 +61,18 @@ pub fn datum(asked: &str, words: &Words) -> String {
             tell(meaning(field.name, field.key, words), cycle.name.to_owned());
         }
     }
-    for (name, source, lines) in machine::told(|name| means(asked, name), words) {
+    for (name, source, mut lines) in machine::told(|name| means(asked, name), words) {
+        lines.extend(versions(name.split(' ').next().unwrap_or_default()).map(|found| version(found, words)));
         tell(format!("{name}: {}", lines.join("\n  ")), Cited(source).to_string());
     }
     let paragraph = |(meaning, owners): (String, Vec<String>)| format!("{meaning}\n  {}\n", owners.join(", "));
     told.into_iter().map(paragraph).collect()
+}
+
+/// `From measuring cycles SW 6.3.`
+fn version(found: &Versions, words: &Words) -> String {
+    let message = Message::new(if found.until.is_empty() { "version-from" } else { "version-until" });
+    words.text(&message.text("from", found.from).text("until", found.until))
 }
 
 /// An argument of a list of newer controls: name, meaning, and how that is known.

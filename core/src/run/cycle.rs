@@ -1,7 +1,7 @@
 //! A measuring call of a program: values as written in data or addresses, checked like typed ones, then carried out.
 
 use super::called::{self, Called};
-use super::{Call, Halt, Interpreter, Words, call, contour, interpret, subprogram, unread};
+use super::{Call, Halt, Interpreter, Words, call, contour, interpret, mode, subprogram, unread};
 use crate::catalogue::log;
 use crate::check::{Checked, upkeep};
 use crate::control::Value;
@@ -89,6 +89,9 @@ fn count(run: &mut Interpreter, span: Span) -> Result<(), Problem> {
 
 /// Carries out what a check left: the alarm of the first error stops the program as on the control, others are a fault.
 pub fn carry_out(run: &mut Interpreter, cycle: &'static Cycle, checked: Checked, span: Span) -> Result<(), Halt> {
+    if mode::skips(run, cycle, span) {
+        return Ok(());
+    }
     unread::measures(run, span)?;
     let errors = checked.diagnostics.iter().filter(|found| found.severity == Severity::Error);
     let code = errors.clone().map(|found| found.code).find(|code| !matches!(code, Code::Own(_)));

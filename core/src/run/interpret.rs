@@ -2,7 +2,7 @@
 
 use super::{
     Halt, Level, Limits, Locals, Modal, Outcome, assumed::Made, called::Called, contour, contour::Contour, cycle,
-    defined, endless, endless::Watch, limits, motion, noted, noted::Noted, of_machine, of_machine::Asked,
+    defined, endless, endless::Watch, limits, mode, motion, noted, noted::Noted, of_machine, of_machine::Asked,
     outcome::PassedOver, own_parameters, pieces, pieces::Pieces, repeat, rules::Rules, standard::Pattern, statement,
     subprogram, synchronous, synchronous::Actions, unread, unread::Unread,
 };
@@ -55,6 +55,8 @@ pub struct Interpreter {
     pub work: u64,
     /// Blocks that were carried out.
     pub blocks: usize,
+    /// A block search did not come to its block yet.
+    pub searching: bool,
     /// Whether it was told that not all is recorded.
     pub unrecorded: bool,
     /// Elements of the variables that all programs see.
@@ -226,6 +228,7 @@ impl Session {
         of_machine::settle(&mut run);
         if stop.is_none() {
             cycle::log_stays_on(&mut run);
+            mode::missed(&mut run);
         }
         let machine_values = of_machine::all(&run);
         let Interpreter { sim, diagnostics, passed: passed_over, called, .. } = run;
@@ -258,6 +261,7 @@ fn next_block(run: &mut Interpreter) -> Result<Option<()>, Halt> {
     limits::room(run, span)?;
     let (Some(span), true) = (span, own) else { return Ok(go_on(run, subprogram::leave)) };
     run.sim.line = Some(run.pieces.lines + at as u32);
+    mode::comes(run);
     run.work += 1 + u64::from((span.end - span.start) / BLOCK);
     run.blocks = run.blocks.wrapping_add(1);
     let depth = run.levels.len();
@@ -336,6 +340,7 @@ impl Interpreter {
             limits,
             skip: setup.skip.clone(),
             work: 0,
+            searching: limits.mode == mode::Mode::BlockSearch,
             blocks: 0,
             unrecorded: false,
             shared_elements: 0,

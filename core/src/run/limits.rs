@@ -2,6 +2,7 @@
 //! back to what was before is told at once (`endless`); what goes on and on may do so, in bounded memory.
 
 use super::Interpreter;
+use super::mode::Mode;
 use crate::diagnostic::{Severity, Span};
 use crate::problem::Problem;
 
@@ -46,6 +47,10 @@ pub struct Limits {
     pub data: usize,
     /// Whether a subprogram that is not there, and a value that only the machine has, stop the run.
     pub strict: bool,
+    /// How the program is carried out.
+    pub mode: Mode,
+    /// Line, from 1, up to which a block search goes.
+    pub target: u32,
 }
 
 impl Default for Limits {
@@ -59,6 +64,8 @@ impl Default for Limits {
             calls: CALLS,
             data: DATA,
             strict: false,
+            mode: Mode::Automatic,
+            target: 0,
         }
     }
 }

@@ -32,6 +32,9 @@ mod macro_call;
 mod macro_system;
 mod macro_variables;
 mod modal;
+pub mod mode;
+#[cfg(test)]
+mod mode_tests;
 mod motion;
 mod names;
 mod noted;

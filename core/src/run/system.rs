@@ -1,6 +1,6 @@
 //! What the control tells about itself: `$P_…`, `$AA_…`, `$AC_…`.
 
-use super::{Datum, Interpreter, Motion, contour, indices, names, of_machine, stem, tool_memory};
+use super::{Datum, Interpreter, Motion, contour, indices, mode, names, of_machine, stem, tool_memory};
 use crate::control::frames::{CHANNEL_MASK, GLOBAL_MASK, joined};
 use crate::control::{AXES, Frame, Tool, UnitFunction, Units, Value, machine_data, variables::component};
 use crate::diagnostic::Span;
@@ -142,7 +142,7 @@ fn state(run: &Interpreter, key: &str) -> Option<f64> {
     let control = &run.sim.control;
     Some(match stem(key) {
         "$P_UIFRNUM" => control.settable as f64,
-        "$P_DRYRUN" | "$P_ISTEST" | "$P_SEARCH" | "$P_SIM" | "$A_PROTO" => 0.0,
+        "$P_DRYRUN" | "$P_ISTEST" | "$P_SEARCH" | "$P_SIM" | "$A_PROTO" => mode::variable(run, key),
         "$AC_MEA" => 0.0,
         "$A_PROBE" if run.sim.has_probe() => f64::from(u8::from(run.sim.in_contact())),
         "$P_MSNUM" => 1.0,

@@ -971,6 +971,19 @@ given-title = Programmlauf
 given-program = Programm
 given-program-first = Erstes Programm des Textes
 given-strict = Anhalten, wenn etwas fehlt
+given-mode = Betriebsart
+given-mode-automatic = Automatik
+given-mode-dry-run = Probelauf
+given-mode-program-test = Programmtest
+given-mode-block-search = Satzsuchlauf
+given-mode-simulation = Simulation in HMI Advanced
+given-mode-jobshop = Simulation in Jobshop
+given-target = Satzsuchlauf bis Zeile
+given-mode-dry-run-told = Messzyklen werden übersprungen; Ergebnisse behalten die Werte früherer Aufrufe.
+given-mode-program-test-told = Messzyklen werden übersprungen; Ergebnisse behalten die Werte früherer Aufrufe. An der Maschine bewegt sich keine Achse.
+given-mode-block-search-told = Messzyklen vor dieser Zeile werden übersprungen; Ergebnisse behalten die Werte früherer Aufrufe.
+given-mode-simulation-told = Messzyklen werden ausgeführt, außer _MC_SIMSIM ist 0. _MC_SIMDIFF kommt zu jeder gemessenen Position hinzu.
+given-mode-jobshop-told = Messzyklen werden ausgeführt, außer _MC_SIMSIM ist 0, korrigieren aber nichts, zeigen kein Ergebnis und protokollieren nicht. _MC_SIMDIFF kommt zu jeder gemessenen Position hinzu.
 given-assumed = { $count ->
     [one] Ein Wert der Maschine wurde angenommen: { $values }.
    *[other] { $count } Werte der Maschine wurden angenommen: { $values }.

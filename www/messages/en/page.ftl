@@ -953,6 +953,19 @@ given-title = Run
 given-program = Program
 given-program-first = First program of the text
 given-strict = Stop if anything is missing
+given-mode = Mode
+given-mode-automatic = Automatic
+given-mode-dry-run = Dry run
+given-mode-program-test = Program test
+given-mode-block-search = Block search
+given-mode-simulation = Simulation (HMI Advanced)
+given-mode-jobshop = Simulation (Jobshop)
+given-target = Block search up to line
+given-mode-dry-run-told = Measuring cycles are skipped; results keep the values of earlier calls.
+given-mode-program-test-told = Measuring cycles are skipped; results keep the values of earlier calls. On the machine no axis moves.
+given-mode-block-search-told = Measuring cycles before this line are skipped; results keep the values of earlier calls.
+given-mode-simulation-told = Measuring cycles are executed unless _MC_SIMSIM is 0. _MC_SIMDIFF is added to each measured position.
+given-mode-jobshop-told = Measuring cycles are executed unless _MC_SIMSIM is 0, but correct nothing, show no result and write no log. _MC_SIMDIFF is added to each measured position.
 given-assumed = { $count ->
     [one] One value of the machine was assumed: { $values }.
    *[other] { $count } values of the machine were assumed: { $values }.

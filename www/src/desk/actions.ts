@@ -45,6 +45,7 @@ import type {
   Offer,
   OwnMachine,
   Plane,
+  RunMode,
   Setup,
   Style,
   TouchedLine,
@@ -108,6 +109,8 @@ export interface Actions {
   argument(name: string, value: string): void;
   /** Whether what is not there stops the run. */
   strict(on: boolean): void;
+  /** `target`: line up to which a block search goes. */
+  mode(mode: RunMode, target: number): void;
   /** Which program of a text that holds several is run; empty: the first. */
   main(name: string): void;
   /** A value that only the machine has; null: it is assumed again. */
@@ -450,6 +453,7 @@ export function createActions(store: Store, catalogue: Catalogue, core: () => Pr
       });
     },
     strict: strict => store.update({ run: { strict, stopped: null } }),
+    mode: (mode, target) => store.update({ run: { mode, target, stopped: null } }),
     main: main => store.update({ run: { main, stopped: null } }),
     machineValue(name, value) {
       const setup = profile(now());

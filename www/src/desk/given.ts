@@ -1,5 +1,5 @@
 // What a run is given beside program and machine: files, which program of the text it is, values of its parameters,
-// whether it is strict.
+// whether it is strict, and how it is carried out.
 
 import { parseNumber } from "../numbers";
 import {
@@ -15,7 +15,7 @@ import {
 import type { FormView, Machine, ProgramParameter, ProgramPlace, ReadView } from "../wire";
 import { isCurrent } from "./program";
 
-export type Given = Pick<Ran, "with" | "arguments" | "strict" | "program">;
+export type Given = Pick<Ran, "with" | "arguments" | "strict" | "mode" | "target" | "program">;
 
 /** The program of a text that is to be run, where one is chosen that is in it. */
 export function chosenIn(view: ReadView | undefined, { run: { main } }: State): ProgramPlace | undefined {
@@ -50,6 +50,12 @@ export function machineTo(state: State, view: Pick<FormView, "setup">): Machine 
   return opened ?? (view.setup ? beginningIn(view.setup, programPlane(state)) : programMachine(state).setup);
 }
 
+/** How the program is carried out; only one control has modes. */
+function modeIn({ form: { control }, run: { mode, target } }: State): Pick<Given, "mode" | "target"> {
+  if (control !== "sinumerik" || mode === "automatic") return {};
+  return mode === "block-search" ? { mode, target } : { mode };
+}
+
 /** `known`: whether the program is read, so that it is clear which parameters it has. */
 export function givenTo(state: State): Given & { known: boolean } {
   const { reading, given } = state.program;
@@ -62,6 +68,7 @@ export function givenTo(state: State): Given & { known: boolean } {
     ...besideOf(state),
     ...(Object.keys(values).length ? { arguments: values } : {}),
     ...(state.run.strict ? { strict: true } : {}),
+    ...modeIn(state),
     ...(chosen ? { program: chosen.name } : {}),
   };
 }

@@ -35,7 +35,11 @@ export function withMotions(derived: Derived, runner: Aside, { view: { source } 
 }
 
 const isGiven = (ran: Ran, given: Given): boolean =>
-  ran.arguments === given.arguments && ran.strict === given.strict && ran.program === given.program;
+  ran.arguments === given.arguments &&
+  ran.strict === given.strict &&
+  ran.mode === given.mode &&
+  ran.target === given.target &&
+  ran.program === given.program;
 
 function cameTo(view: RunView, steps: Columns | undefined): Pick<Ran, "view" | "course"> {
   if (!steps) return { view, course: courseOf(view.trace) };
@@ -47,7 +51,7 @@ function cameTo(view: RunView, steps: Columns | undefined): Pick<Ran, "view" | "
 export function withRun(answered: Answered | null, state: State): State {
   if (answered?.question.ask !== "run" || !isOfNow(answered.question, state)) return state;
   const {
-    question: { control, text, setup, times, known, with: beside, arguments: values, strict, program },
+    question: { control, text, setup, times, known, with: beside, arguments: values, strict, mode, target, program },
     json,
     scene,
     steps,
@@ -59,7 +63,21 @@ export function withRun(answered: Answered | null, state: State): State {
   const { view, course } = came;
   return patched(state, {
     run: {
-      done: { control, text, setup, times, view, course, scene, with: beside, arguments: values, strict, program },
+      done: {
+        control,
+        text,
+        setup,
+        times,
+        view,
+        course,
+        scene,
+        with: beside,
+        arguments: values,
+        strict,
+        mode,
+        target,
+        program,
+      },
     },
   });
 }

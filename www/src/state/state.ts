@@ -26,6 +26,7 @@ import type {
   PracticeProgram,
   PracticeRefusal,
   ReadView,
+  RunMode,
   RunRequest,
   RunView,
   Setup,
@@ -56,6 +57,8 @@ export interface Ran {
   with?: Beside[];
   arguments?: Arguments;
   strict?: boolean;
+  mode?: RunMode;
+  target?: number;
   program?: string;
   view: RunView; // but for its steps
   course: Course;
@@ -218,6 +221,8 @@ export interface RunState {
   done: Ran | null;
   stopped: Stopped | null;
   strict: boolean; // what is not there stops it
+  mode: RunMode;
+  target: number; // line up to which a block search goes; 0: none is given
   main: string; // name of the program that is run of a text that holds several; empty: the first
 }
 
@@ -417,7 +422,7 @@ export function firstState(): State {
       section: false,
       central: false,
     },
-    run: { done: null, stopped: null, strict: false, main: "" },
+    run: { done: null, stopped: null, strict: false, mode: "automatic", target: 0, main: "" },
     scan: { made: null, problem: "" },
     jog: {
       lines: [],

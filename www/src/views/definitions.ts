@@ -47,7 +47,7 @@ function outcome({ files, memory, needs, notes }: DefinitionsView): TemplateResu
   const least = needs.map(
     ({ number, value, source }) => html`<li>${t("definitions-need", { number, value, source })}</li>`,
   );
-  return html`${steps.length ? html`<ol class="repeat-notes">${steps}</ol>` : nothing}
+  return html`${steps.length ? html`<ol class="repeat-notes definitions-steps">${steps}</ol>` : nothing}
     ${files.length ? files.map(fileOf) : html`<p>${t("definitions-none")}</p>`}
     <h3>${t("definitions-memory")}</h3>
     <table class="definitions-memory">

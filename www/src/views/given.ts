@@ -11,7 +11,7 @@ import { chosenIn, parametersIn } from "../desk/given";
 import type { State } from "../state/state";
 import { listed, t } from "../texts";
 import { unlessTyping } from "../unless-typing";
-import type { FileStart, MachineValue, ProgramPlace } from "../wire";
+import type { FileStart, MachineValue, ProgramPlace, RunMode } from "../wire";
 
 /** The ways from what a run lacks to where it is given. */
 export interface Lacks {
@@ -24,6 +24,7 @@ export interface Lacks {
 }
 
 const ASSUMED = 20; // values that are named
+const MODES: RunMode[] = ["automatic", "dry-run", "program-test", "block-search", "simulation", "jobshop"];
 
 export const parameterId = (name: string): string => `given-${name.replace(/\W/g, "-")}`;
 
@@ -67,6 +68,27 @@ export function createGiven(
       </select>
     </div>`;
   };
+  const modeOf = ({ run: { mode, target } }: State): TemplateResult => {
+    const chosen = ({ target: from }: Event): void =>
+      actions.mode((from as HTMLSelectElement).value as RunMode, target);
+    const line = ({ target: from }: Event): void =>
+      actions.mode(mode, Math.max(0, Math.trunc((from as HTMLInputElement).valueAsNumber || 0)));
+    const option = (one: RunMode): TemplateResult =>
+      html`<option value=${one} ?selected=${one === mode}>${t(`given-mode-${one}`)}</option>`;
+    return html`<div class="given-field">
+        <label for="run-mode">${t("given-mode")}</label
+        ><select id="run-mode" class="choice" .value=${live(mode)} @change=${chosen}>${MODES.map(option)}</select>
+      </div>
+      ${
+        mode === "block-search"
+          ? html`<div class="given-field">
+              <label for="run-target">${t("given-target")}</label
+              ><input id="run-target" type="number" min="0" .value=${live(String(target))} @change=${line} />
+            </div>`
+          : nothing
+      }
+      ${mode === "automatic" ? nothing : html`<p class="given-mode">${t(`given-mode-${mode}-told`)}</p>`}`;
+  };
   const assumed = (all: readonly MachineValue[], files: readonly FileStart[] | undefined): TemplateResult => {
     const named = all
       .slice(0, ASSUMED)
@@ -98,6 +120,7 @@ export function createGiven(
               one => one.name,
               one => field(state, one),
             )}
+            ${state.form.control === "sinumerik" ? modeOf(state) : nothing}
             <label class="check" for="run-strict"
               ><input id="run-strict" type="checkbox" .checked=${live(state.run.strict)} @change=${strict} />${t(
                 "given-strict",

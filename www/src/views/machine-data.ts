@@ -67,9 +67,11 @@ function limitsText({ kind, range, fallback }: MachineField): string {
 const entryId = (name: string): string => `datum-${name.replace(/[^A-Za-z0-9_]/g, "-")}`;
 
 /** Which datum it is, and where the manual has it; what it means stands at its entry. */
-function citedText({ name, key, set, source }: MachineField): string {
-  const words = [name, set ? say(set) : "", t(key)].filter(Boolean).join(" · ");
-  return source ? `${words} · ${t("field-source", { source })}` : words;
+function citedText({ name, key, set, source, versions }: MachineField): string {
+  const words = [name, set ? say(set) : "", t(key)];
+  if (source) words.push(t("field-source", { source }));
+  if (versions) words.push(t(versions.until ? "version-until" : "version-from", { ...versions }));
+  return words.filter(Boolean).join(" · ");
 }
 
 const choiceText = (key: string, value: number): string => `${plain(value)} · ${optional(`${key}.v${value}`)}`;

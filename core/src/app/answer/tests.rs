@@ -206,6 +206,8 @@ fn a_run_has_an_answer_for_the_call_that_stops_it() {
         program: None,
         arguments: None,
         strict: None,
+        mode: None,
+        target: None,
         blocks: None,
         with: None,
     };

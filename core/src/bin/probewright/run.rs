@@ -17,6 +17,7 @@ use probewright_core::machine::trace::Step;
 use probewright_core::message::{Arg, Message, printable};
 use probewright_core::run::assumed::Assumed;
 use probewright_core::run::left::CallAt;
+use probewright_core::run::mode::{MODES, Mode};
 use probewright_core::run::of_machine;
 use probewright_core::run::outcome::Outcome;
 use probewright_core::run::{Limits, Session, assumed};
@@ -45,6 +46,10 @@ pub struct Arguments {
     arg: Vec<String>,
     #[arg(long)]
     strict: bool,
+    #[arg(long, value_name = "MODE", value_parser = MODES.map(|(_, name)| name))]
+    mode: Option<String>,
+    #[arg(long, value_name = "LINE")]
+    target: Option<u32>,
     #[arg(long)]
     screens: bool,
     #[arg(long, value_name = "NUMBER")]
@@ -64,6 +69,12 @@ pub struct Arguments {
 }
 
 impl Arguments {
+    /// How the program is carried out; a line alone is the target of a block search.
+    fn mode(&self) -> Mode {
+        let named = MODES.iter().find(|(_, name)| self.mode.as_deref() == Some(*name)).map(|(mode, _)| *mode);
+        named.unwrap_or(if self.target.is_some() { Mode::BlockSearch } else { Mode::Automatic })
+    }
+
     /// Whether all of the program and of the run is needed afterwards.
     fn whole(&self) -> bool {
         self.json || self.screens || self.record.is_some() || self.protocol.given()
@@ -76,7 +87,8 @@ pub fn run(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Result<
     let protocol = arguments.protocol.read()?;
     let text = Text::of(arguments)?;
     let given = Given { program: arguments.program.clone(), values: values(&arguments.arg)? };
-    let limits = Limits { steps: arguments.max_blocks, strict: arguments.strict, ..Limits::default() };
+    let (mode, target) = (arguments.mode(), arguments.target.unwrap_or_default());
+    let limits = Limits { steps: arguments.max_blocks, strict: arguments.strict, mode, target, ..Limits::default() };
     let limits = if arguments.whole() { limits } else { limits.unrecorded() };
     let setup = setup(arguments, words, out)?;
     let mut text = text.on(setup.as_ref(), arguments)?;

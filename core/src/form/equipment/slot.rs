@@ -70,7 +70,8 @@ impl<'a> Slot<'a> {
             Held::Text(_) => (Entry::Text, ""),
         };
         let (name, key) = (self.key.to_owned(), self.key.to_owned());
-        Setting { name, key, field: None, entry, unit, range: self.range, source: Cited(self.source), idle: false }
+        let (range, source) = (self.range, Cited(self.source));
+        Setting { name, key, field: None, entry, unit, range, source, idle: false, versions: None }
     }
 
     /// The field as it is shown.

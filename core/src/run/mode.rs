@@ -1,0 +1,117 @@
+//! How the control carries out a program when it does not machine: what becomes of measuring cycles then (B:660-694).
+
+use super::{Interpreter, stem};
+use crate::diagnostic::{Severity, Span};
+use crate::dialect::Dialect;
+use crate::entry::Cycle;
+use crate::machine::Pretended;
+use crate::problem::Problem;
+use serde::{Deserialize, Serialize};
+
+/// How a program is carried out.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "RunMode"))]
+pub enum Mode {
+    /// In AUTOMATIC: the cycles measure.
+    #[default]
+    Automatic,
+    /// With the feed of the dry run, `$P_DRYRUN`.
+    DryRun,
+    /// Without motion of the axes, `$P_ISTEST`.
+    ProgramTest,
+    /// Searched through up to a block, `$P_SEARCH` without `$A_PROTO`; from there on as in AUTOMATIC.
+    BlockSearch,
+    /// The simulation of HMI Advanced, `$P_SIM`: the cycles are executed.
+    Simulation,
+    /// The simulation of Jobshop products, `$P_SEARCH` with `$A_PROTO`: measured, but nothing is corrected.
+    Jobshop,
+}
+
+/// Every mode with its name as a document and the terminal have it.
+pub const MODES: [(Mode, &str); 6] = [
+    (Mode::Automatic, "automatic"),
+    (Mode::DryRun, "dry-run"),
+    (Mode::ProgramTest, "program-test"),
+    (Mode::BlockSearch, "block-search"),
+    (Mode::Simulation, "simulation"),
+    (Mode::Jobshop, "jobshop"),
+];
+
+/// Whether the cycles are executed in a simulation.
+const EXECUTED: &str = "_MC_SIMSIM";
+/// Deviation of the measured positions in a simulation, in the basic system.
+const DEVIATION: &str = "_MC_SIMDIFF";
+
+impl Mode {
+    /// The system variables that are 1 in it.
+    fn variables(self) -> &'static [&'static str] {
+        match self {
+            Mode::Automatic => &[],
+            Mode::DryRun => &["$P_DRYRUN"],
+            Mode::ProgramTest => &["$P_ISTEST"],
+            Mode::BlockSearch => &["$P_SEARCH"],
+            Mode::Simulation => &["$P_SIM"],
+            Mode::Jobshop => &["$P_SEARCH", "$A_PROTO"],
+        }
+    }
+}
+
+/// The mode that is active here: a block search ends at its block. NCT has none of them.
+fn active(run: &Interpreter) -> Mode {
+    match run.limits.mode {
+        _ if run.program.dialect == Dialect::Nct => Mode::Automatic,
+        Mode::BlockSearch if !run.searching => Mode::Automatic,
+        mode => mode,
+    }
+}
+
+/// `$P_ISTEST` and the like.
+pub fn variable(run: &Interpreter, key: &str) -> f64 {
+    f64::from(u8::from(active(run).variables().contains(&stem(key))))
+}
+
+/// The search comes to a block.
+pub fn comes(run: &mut Interpreter) {
+    run.searching &= run.sim.line.is_none_or(|line| line + 1 != run.limits.target);
+}
+
+/// Whether a measuring cycle is skipped here, which is told with what its results hold then. In a simulation what it
+/// does only seems so.
+pub fn skips(run: &mut Interpreter, cycle: &Cycle, span: Span) -> bool {
+    let mode = active(run);
+    run.sim.pretended = Pretended::default();
+    if !cycle.is_measuring_cycle() {
+        return false;
+    }
+    let control = &run.sim.control;
+    let key = match mode {
+        Mode::Automatic => return false,
+        Mode::DryRun => "run-skipped-dry-run",
+        Mode::ProgramTest => "run-skipped-program-test",
+        Mode::BlockSearch => "run-skipped-block-search",
+        Mode::Simulation | Mode::Jobshop if !control.bit(EXECUTED) => "run-skipped-simulation",
+        Mode::Simulation | Mode::Jobshop => {
+            let deviation = control.basic_length(DEVIATION);
+            run.sim.pretended = Pretended { deviation, corrects: mode == Mode::Simulation };
+            if mode == Mode::Jobshop {
+                run.tell(Severity::Note, &Problem::new("run-jobshop", span, cycle.name));
+            }
+            if deviation != 0.0 {
+                let told = Problem::new("run-deviation", span, cycle.name);
+                run.tell(Severity::Note, &told.number("deviation", deviation));
+            }
+            return false;
+        }
+    };
+    run.tell(Severity::Note, &Problem::new(key, span, cycle.name));
+    true
+}
+
+/// Tells that a search did not come to its block.
+pub fn missed(run: &mut Interpreter) {
+    if active(run) == Mode::BlockSearch {
+        let problem = Problem::at("run-search-missed", Span::default()).number("line", f64::from(run.limits.target));
+        run.keep(problem.diagnostic(Severity::Warning));
+    }
+}

@@ -1,0 +1,79 @@
+//! What becomes of measuring cycles where a program is not carried out in AUTOMATIC.
+#![allow(clippy::unwrap_used)]
+
+use super::mode::Mode;
+use super::{Limits, Outcome, run};
+use crate::control::Plane;
+use crate::dialect::Dialect;
+use crate::geometry::Mcs;
+use crate::machine::Setup;
+use crate::syntax::read;
+use crate::workpiece::{Shape, Solid};
+
+/// Line 4 measures a shaft of 70 mm that lies 0.01 mm off in X, and corrects G54.
+const PROGRAM: &str = "G17 G90 G54 T9 D1\n\
+    G0 X64 Y38 Z130 F1000\n\
+    _MVAR=102 _SETVAL=70 _FA=2 _TSA=2 _ID=-20 _KNUM=1 _PRNUM=1 _VMS=0 _NMSP=1\n\
+    CYCLE977\n\
+    R1=$P_DRYRUN+2*$P_ISTEST+4*$P_SEARCH+8*$P_SIM+16*$A_PROTO\n\
+    R2=$P_UIFR[1,X,TR]+$P_UIFR[1,X,FI]\n\
+    M30\n";
+
+fn ran(mode: Mode, target: u32, data: &[(&str, f64)]) -> Outcome {
+    let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
+    let shaft = Shape::Shaft { diameter: 70.0, height: 40.0 };
+    setup.workpiece.solids.push(Solid::new(shaft, Mcs([64.01, 38.0, 120.0])));
+    setup.position = Mcs([70.0, 200.0, 500.0]);
+    data.iter().for_each(|(name, value)| setup.control.set(*name, *value));
+    let outcome =
+        run(&read(Dialect::Sinumerik, PROGRAM.as_bytes()), &setup, Limits { mode, target, ..Limits::default() });
+    assert!(outcome.finished(), "{:?}", outcome.diagnostics);
+    outcome
+}
+
+/// Diameter, system variables as a sum, correction of G54, and the keys of what was told.
+fn told(outcome: &Outcome) -> ([f64; 3], Vec<String>) {
+    let number = |name: &str| (outcome.control.number(name) * 1e4).round() / 1e4;
+    let keys = outcome.diagnostics.iter().map(|one| one.message.key.to_string()).filter(|key| key.starts_with("run-"));
+    (["_OVR[4]", "R1", "R2"].map(number), keys.collect())
+}
+
+// oracle: manual B:660-668 (which modes skip the cycles, and the variables that tell the mode)
+#[test]
+fn measuring_cycles_are_skipped_and_results_stay() {
+    assert_eq!(told(&ran(Mode::Automatic, 0, &[])), ([70.0, 0.0, 0.01], vec![]));
+    for (mode, variables, key) in
+        [(Mode::DryRun, 1.0, "run-skipped-dry-run"), (Mode::ProgramTest, 2.0, "run-skipped-program-test")]
+    {
+        let (found, keys) = told(&ran(mode, 0, &[("_OVR[4]", 12.5)]));
+        assert_eq!((found, keys), ([12.5, variables, 0.0], vec![key.to_owned()]));
+    }
+}
+
+// oracle: manual B:666 (the search is over where its block is reached), hand
+#[test]
+fn a_block_search_skips_up_to_its_line() {
+    assert_eq!(told(&ran(Mode::BlockSearch, 4, &[])), ([70.0, 0.0, 0.01], vec![]));
+    let skipped = vec!["run-skipped-block-search".to_owned()];
+    assert_eq!(told(&ran(Mode::BlockSearch, 5, &[])), ([0.0, 0.0, 0.0], skipped.clone()));
+    let (found, keys) = told(&ran(Mode::BlockSearch, 99, &[]));
+    assert_eq!((found, keys), ([0.0, 4.0, 0.0], [skipped, vec!["run-search-missed".to_owned()]].concat()));
+}
+
+// oracle: manual B:672-694, hand (touched from both sides 0.1 mm further in: 70 - 0.2 mm; an inch system gives inches)
+#[test]
+fn a_simulation_measures_with_its_deviation() {
+    assert_eq!(told(&ran(Mode::Simulation, 0, &[])), ([70.0, 8.0, 0.01], vec![]));
+    let (found, keys) = told(&ran(Mode::Simulation, 0, &[("_MC_SIMDIFF", 0.1)]));
+    assert_eq!((found, keys), ([69.8, 8.0, 0.01], vec!["run-deviation".to_owned()]));
+    let (found, keys) = told(&ran(Mode::Simulation, 0, &[("_MC_SIMSIM", 0.0)]));
+    assert_eq!((found, keys), ([0.0, 8.0, 0.0], vec!["run-skipped-simulation".to_owned()]));
+    // in AUTOMATIC neither counts
+    assert_eq!(told(&ran(Mode::Automatic, 0, &[("_MC_SIMDIFF", 0.1), ("_MC_SIMSIM", 0.0)])).0, [70.0, 0.0, 0.01]);
+}
+
+// oracle: manual B:676-678 (measured, but no offset is corrected)
+#[test]
+fn jobshop_corrects_nothing() {
+    assert_eq!(told(&ran(Mode::Jobshop, 0, &[])), ([70.0, 20.0, 0.0], vec!["run-jobshop".to_owned()]));
+}
