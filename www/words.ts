@@ -12,9 +12,8 @@ const FALLBACK = "en"; // comes with the page, in two parts; another language co
 const LATER_WORDS = /^([a-z0-9-]+-(help|hint|words)|result-[a-z0-9-]+) =/;
 const LATER_FILES = [
   ..."advice alarms around braking changes datum digitizing equipment evaluate exported foreign jog".split(" "),
-  ..."jog-program lathe lists logging machine-check nct protocol record repeat run scenarios series setup syntax".split(
-    " ",
-  ),
+  ..."jog-program lathe lists logging machine-check nct protocol record repeat run scenarios series setup".split(" "),
+  "syntax",
   "tool-probe",
   "twin",
   "user-programs",

@@ -13,8 +13,8 @@ pub use catalogue::catalogue;
 pub use form::form;
 pub use program::{
     Answer, Held, Recogniser, Run, alarms, approach, as_mask, as_program, braking, change, convert, cure, equip,
-    form_seen, help, machine, machine_check, note, practice_record, practise, protocol, read, repeat, scenario, series,
-    series_start, setup, story, user_programs,
+    form_seen, help, machine, machine_check, note, pointed, practice_record, practise, protocol, read, repeat,
+    scenario, series, series_start, setup, story, user_programs,
 };
 pub use scan::Scan;
 pub use scene::Scene;

@@ -24,6 +24,7 @@ mod machine;
 mod machine_check;
 mod outcome;
 mod places;
+mod pointed;
 mod practice;
 mod predict;
 mod program;
@@ -40,6 +41,7 @@ mod story;
 mod supply;
 mod trace;
 mod twin;
+mod unsimulated;
 mod user_programs;
 mod written;
 
@@ -76,6 +78,7 @@ pub use machine_check::{
     machine_check,
 };
 pub use outcome::{Measured, Outcome, Raised};
+pub use pointed::{PointedRequest, PointedView, pointed};
 pub use practice::{
     PracticeActivation, PracticeApproach, PracticeArea, PracticeCall, PracticeCallRequest, PracticeChoice,
     PracticeDeviation, PracticeFace, PracticeField, PracticeFigure, PracticeFunction, PracticeKeys, PracticeMachine,
@@ -83,7 +86,7 @@ pub use practice::{
     PracticeView, PracticeWord, approach, as_mask, as_program, call_text, jog_program, practice_record, practise,
 };
 pub use predict::{ErrorLimit, ErrorSliders, PartSliders, ProbeSliders};
-pub use program::{Arrival, CallView, ProgramParameter, ProgramPlace, ReadRequest, ReadView, calls, read};
+pub use program::{Arrival, CallView, OtherCall, ProgramParameter, ProgramPlace, ReadRequest, ReadView, calls, read};
 pub use program_text::ProgramText;
 pub use protocol::{Arrow, ProtocolColumns, ProtocolRequest, ProtocolView, UnfitLine, laid, protocol};
 pub use record::{CalibrationState, ProbeOfCall, Record, RecordAbout, RecordFile, csv};

@@ -25,6 +25,8 @@ import type {
   MachineCheckView,
   MachineRequest,
   MachineView,
+  PointedRequest,
+  PointedView,
   PracticeApproach,
   PracticeCall,
   PracticeCallRequest,
@@ -118,6 +120,8 @@ export interface ProgramCore extends FormCore {
   catalogue(): Catalogue; // of all cycles
   alarms(): AlarmInfo[];
   help(request: HelpRequest): HelpView;
+  /** What is told of a place of a line; null: nothing. */
+  pointed(request: PointedRequest): PointedView | null;
   machine(request: MachineRequest): MachineView;
   /** `why`: there is no such axis. */
   braking(request: BrakingRequest): BrakingView | { why: string };
@@ -314,6 +318,7 @@ export async function loadProgramCore(): Promise<ProgramCore> {
     cure: request => JSON.parse(answer({ ask: "cure", ...request })) as CuredAll,
     convert: request => JSON.parse(answer({ ask: "convert", ...request })) as Converted,
     help: request => JSON.parse(call("help", () => wasm.help(JSON.stringify(request)))) as HelpView,
+    pointed: request => JSON.parse(call("pointed", () => wasm.pointed(JSON.stringify(request)))) as PointedView | null,
     equip: request => JSON.parse(call("equip", () => wasm.equip(JSON.stringify(request)))) as EquipView,
     story: request => JSON.parse(call("story", () => wasm.story(JSON.stringify(request)))) as Story,
     braking: request => orWhy<BrakingView>(() => wasm.braking(JSON.stringify(request))),
