@@ -240,6 +240,7 @@ sentences! {
     NEWER_INCH 195 Warning "newer-inch" "newer-inch-hint";
     WRITE_DIRECTION 196 Warning "write-direction" "write-direction-hint";
     WRITE_INFEED 196 Warning "write-infeed" "write-infeed-hint";
+    WRITE_COARSE 196 Warning "write-coarse" "write-coarse-hint";
     GENERATION_LIST 197 Warning "generation-list" "generation-list-hint";
     GENERATION_ASSIGNED 197 Warning "generation-assigned" "generation-assigned-hint";
     RUNS_BEFORE 198 Note "user-program-runs-before" "";
@@ -254,6 +255,8 @@ sentences! {
     FOREIGN_SURPLUS 201 Note "foreign-surplus" "";
     FOREIGN_RANGE 202 Error "foreign-range" "foreign-range-hint";
     FOREIGN_LIMITS 202 Warning "foreign-limits" "foreign-limits-hint";
+    NEWER_UNSIMULATED 203 Note "newer-unsimulated" "";
+    NEWER_INFEED 203 Note "newer-infeed" "newer-infeed-hint";
     OLDER_CALL 210 Warning "older-call" "older-call-hint";
     OLDER_ID 211 Warning "older-open-id" "older-open-hint";
     OLDER_SZA 211 Warning "older-open-sza" "older-open-hint";

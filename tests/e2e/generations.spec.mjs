@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { shared } from "./browser.mjs";
-import { openFirstCall, programWhen, startWithAll as start, unfold } from "./start.mjs";
+import { openFirstCall, openProgram, programWhen, startWithAll as start, unfold } from "./start.mjs";
 
 const CALL = 'CYCLE978(100,10001,,1,50,5,5,1,2,1,"",,0,1,1,-1,,,0,,1,1,)';
 const PROGRAM = `G17 G54 T9 D1 M6\nG0 X60 Y0\n${CALL} ; edge\nG54\nM30\n`;
@@ -35,6 +35,35 @@ describe("an argument list of newer controls", () => {
     await field(page, "_FA").locator(".entry-line > .figure").focus();
     await page.waitForFunction(() => document.querySelector(".explain")?.textContent.includes("S_FA"));
     assert.match(await page.locator(".explain").textContent(), /Argument 6 .*DFA/);
+    await context.close();
+  });
+
+  // oracle: peer (published lists: the 4th argument of CYCLE996 is the diameter of the ball; alarm 61424 names it)
+  test("tells an argument under the pointer, and has a row for a cycle without form", async () => {
+    const { context, page, problems } = await start(chrome);
+    await openProgram(page, "G17 G54\nCYCLE977(101,1,,1,50,,,2,5)\nCYCLE996(1,,1,24.99)\nM30\n");
+    const rows = page.locator(".call-row");
+    if (!(await rows.first().isVisible())) await page.locator("button[aria-controls=outline]").click();
+    await rows.nth(1).waitFor();
+    assert.equal(await rows.count(), 2);
+    assert.equal(await rows.nth(1).getAttribute("data-state"), "explained");
+    assert.match(await rows.nth(1).textContent(), /CYCLE996.*kinematics/);
+    await rows.nth(1).click();
+    const line = page.locator(".editor .cm-line", { hasText: "CYCLE996" });
+    // where the last but two of its letters stands
+    const at = await line.evaluate(node => {
+      const range = document.createRange();
+      range.selectNodeContents(node);
+      const { left, top, width, height } = range.getBoundingClientRect();
+      const letters = node.textContent.length;
+      return { x: left + (width * (letters - 3.5)) / letters, y: top + height / 2 };
+    });
+    await page.mouse.move(at.x - 40, at.y);
+    await page.mouse.move(at.x, at.y);
+    await page.locator(".cm-told").waitFor();
+    assert.match(await page.locator(".cm-told").textContent(), /S_SETV: .*ball/i);
+    if (process.env.PICTURES) await page.screenshot({ path: `${process.env.PICTURES}/told-1280.png` });
+    assert.deepEqual(problems, []);
     await context.close();
   });
 });

@@ -1,4 +1,4 @@
-// The same task on the other control, folded under the snippet.
+// The same task on other controls, folded under the snippet.
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { shared } from "./browser.mjs";
@@ -53,6 +53,29 @@ describe("twin", () => {
     await choose("G110");
     await page.locator("#field-Z").fill("-10");
     await there("_ID=-30");
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
+  // oracle: manual (TNC 320 9/2016, p. 396: limits of size); hand: the page shows as many columns as the core lists
+  test("has a column for a control that is read and not run", async () => {
+    const { context, page, problems } = await start(chrome);
+    await page.locator("#field-_SETVAL").fill("40");
+    await twin(page).locator("summary").click();
+    const third = twin(page).locator(".twin-call").nth(2);
+    await third.waitFor();
+    await page.waitForFunction(() =>
+      /Q262=\+40 /.test(document.querySelectorAll("details.twin .twin-code")[2]?.textContent ?? ""),
+    );
+    assert.match(await third.locator("h4").textContent(), /HEIDENHAIN TNC/);
+    assert.equal(await twin(page).locator("section").count(), 2);
+    if (process.env.PICTURES) {
+      await third.scrollIntoViewIfNeeded();
+      await page.screenshot({ path: `${process.env.PICTURES}/twin-1280.png` });
+      await page.setViewportSize({ width: 390, height: 844 });
+      await third.scrollIntoViewIfNeeded();
+      await page.screenshot({ path: `${process.env.PICTURES}/twin-390.png` });
+    }
     assert.deepEqual(problems, []);
     await context.close();
   });

@@ -55,6 +55,15 @@ pub fn read(request: &str) -> Result<String, JsError> {
     Ok(json::answer(request, |asked| app::read(asked, &mut |share| tell(share)))?)
 }
 
+/// `PointedRequest` → `PointedView | null`.
+///
+/// # Errors
+/// A request of the wrong shape.
+#[wasm_bindgen]
+pub fn pointed(request: &str) -> Result<String, JsError> {
+    Ok(json::answer(request, |asked| Ok(app::pointed(&asked)))?)
+}
+
 /// `ChangeRequest` → `Changed`.
 ///
 /// # Errors

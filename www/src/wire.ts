@@ -1704,6 +1704,18 @@ export type Offer = {
   supply: Supply,
 };
 
+/** A call of a cycle that has no form. */
+export type OtherCall = {
+  /** Cycle as it is called. */
+  cycle: string,
+  /** What it does. */
+  title: Message,
+  /** Line of the call, from 1. */
+  line: number,
+  /** Where it begins in the text, UTF-16 units. */
+  from: number,
+};
+
 /** What a call does. */
 export type Outcome = {
   /** What it came to; absent where nothing is measured. */
@@ -1837,6 +1849,32 @@ export type Place = {
 
 /** Working plane. */
 export type Plane = "G17" | "G18" | "G19";
+
+/** A place of a line. */
+export type PointedRequest = {
+  /** Control. */
+  control: Dialect,
+  /** The line. */
+  line: string,
+  /** The place, UTF-16 units. */
+  at: number,
+};
+
+/** What is told of it. */
+export type PointedView = {
+  /** First unit of what it is about. */
+  from: number,
+  /** One past its end. */
+  to: number,
+  /** Its name; empty: none is published. */
+  name: string,
+  /** What it means. */
+  meaning: Message,
+  /** More about that, where there are words for it. */
+  help: Message,
+  /** What else is known, a line each. */
+  about: Array<Message>,
+};
 
 /** The activation screen. */
 export type PracticeActivation = {
@@ -2344,6 +2382,8 @@ export type ReadRequest = {
 export type ReadView = {
   /** Measuring calls of the program in order. */
   calls: Array<CallView>,
+  /** Calls of cycles that have no form: they are read and explained. */
+  others?: Array<OtherCall>,
   /** What is wrong with it. */
   diagnostics: Array<Diagnostic>,
   /** Where the files beside it begin. */

@@ -16,7 +16,7 @@ foreign-not-written = Das ist { $cycle } von { $control }. Der Zyklus wird geles
 foreign-place = { $control } fährt die Messpunkte selbst an. { $names } gelten für eine Startposition am Nullpunkt, Messhöhe { $height } und sichere Höhe { $clearance }: eigene Werte eingeben.
 foreign-usual = Nicht in diesem Aufruf, mit dem üblichen Wert geschrieben: { $names }.
 foreign-datum = { $control } speichert Bezugspunkte in Tabellen: Q305=0 setzt den aktiven Bezugspunkt, eine andere Nummer eine Zeile der Tabelle.
-foreign-calls = Tastsystemzyklen von { $control }
+foreign-of = Parameter von { $control }: { $text }
 foreign-log = Messprotokoll von { $cycle }, { $program }, { $date } { $time }
 foreign-source = Quelle: { $source }
 foreign-outside = { $name } hat keinen solchen Wert

@@ -80,3 +80,12 @@ generation-assigned = { $cycle } wird wie an älteren Steuerungen aufgerufen, di
 generation-assigned-hint = Aufrufe umwandeln. Laufen an dieser Maschine auch Zuweisungen, PW-GENERATION auf 0 setzen.
 argument-shown = Argument { $place } der Liste: { $name }.
 argument-shown-screen = Argument { $place } der Liste: { $name }, auf dem Bildschirm { $screen }.
+newer-cycle995 = Misst die Winkligkeit einer Spindel
+newer-cycle996 = Misst die Kinematik der Rundachsen, eine Stellung
+newer-cycle9960 = Misst die Kinematik als Ganzes
+newer-cycle150 = Zeigt die Ergebnisse am Bildschirm und schreibt das Protokoll
+newer-unsimulated = { $param } wird geschrieben und nicht simuliert.
+newer-infeed = Ein positives { "_ID" } wird geschrieben und nicht simuliert.
+newer-infeed-hint = Programme neuerer Steuerungen sind sich über das Vorzeichen nach unten uneins: Negativ simuliert es die Maske.
+write-coarse = Argument 2 = { $value } heißt Feinverschiebung; hier korrigiert { "_CHBIT[21]" } = 1 die Grobverschiebung.
+write-coarse-hint = { $coarse } schreiben, um die Grobverschiebung zu korrigieren.

@@ -16,7 +16,7 @@ foreign-not-written = { $cycle } of { $control } does this. It is read and expla
 foreign-place = { $control } moves to the measuring points by itself. { $names } are for a start position at the zero point, measuring height { $height } and clearance height { $clearance }: enter yours.
 foreign-usual = Not in this call, written with the usual value: { $names }.
 foreign-datum = { $control } keeps datums in tables: Q305=0 sets the active datum, another number a row of the table.
-foreign-calls = Probe cycles of { $control }
+foreign-of = Parameter of { $control }: { $text }
 foreign-log = Log of { $cycle }, { $program }, { $date } { $time }
 foreign-source = Source: { $source }
 foreign-outside = { $name } has no such value

@@ -80,3 +80,12 @@ generation-assigned = { $cycle } is called as on older controls, but the machine
 generation-assigned-hint = Convert the calls. If assignments run on this machine too, set PW-GENERATION to 0.
 argument-shown = Argument { $place } of the list: { $name }.
 argument-shown-screen = Argument { $place } of the list: { $name }, on the screen { $screen }.
+newer-cycle995 = Measures how far a spindle is out of square
+newer-cycle996 = Measures the kinematics of rotary axes, one position
+newer-cycle9960 = Measures the kinematics as a whole
+newer-cycle150 = Shows the results on the screen and writes the log
+newer-unsimulated = { $param } is written and not simulated.
+newer-infeed = A positive { "_ID" } is written and not simulated.
+newer-infeed-hint = Programs of newer controls disagree about the sign that leads down: with a negative one the form simulates it.
+write-coarse = Argument 2 = { $value } means the fine part of the zero offset; here { "_CHBIT[21]" } = 1 corrects the coarse part.
+write-coarse-hint = Write { $coarse } to correct the coarse part.

@@ -16,7 +16,7 @@ foreign-not-written = { $control } 的 { $cycle } 可完成此任务。该循环
 foreign-place = { $control } 自行移动到测量点。{ $names } 按起点位于零点、测量高度 { $height }、安全高度 { $clearance } 填写：请改为实际值。
 foreign-usual = 此调用中没有，按常用值填写：{ $names }。
 foreign-datum = { $control } 将原点保存在表中：Q305=0 设置当前原点，其他编号设置表中的一行。
-foreign-calls = { $control } 的探测循环
+foreign-of = { $control } 的参数：{ $text }
 foreign-log = { $cycle } 的测量记录，{ $program }，{ $date } { $time }
 foreign-source = 来源：{ $source }
 foreign-outside = { $name } 没有这样的取值

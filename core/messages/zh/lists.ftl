@@ -80,3 +80,12 @@ generation-assigned = { $cycle } 按旧版控制系统的方式调用，而机�
 generation-assigned-hint = 转换这些调用。如果赋值方式在本机床上也能运行，请将 PW-GENERATION 设为 0。
 argument-shown = 列表的参数 { $place }：{ $name }。
 argument-shown-screen = 列表的参数 { $place }：{ $name }，屏幕上为 { $screen }。
+newer-cycle995 = 测量主轴的垂直度
+newer-cycle996 = 测量回转轴的运动系统，一个位置
+newer-cycle9960 = 完整测量运动系统
+newer-cycle150 = 在屏幕上显示结果并写入测量记录
+newer-unsimulated = { $param } 会写入，但不模拟。
+newer-infeed = 正的 { "_ID" } 会写入，但不模拟。
+newer-infeed-hint = 新型控制系统的程序对向下的符号不一致：取负值时输入画面会模拟。
+write-coarse = 参数 2 = { $value } 表示零点偏移的精偏移；此处 { "_CHBIT[21]" } = 1 补偿粗偏移。
+write-coarse-hint = 写成 { $coarse } 以补偿粗偏移。

@@ -8,6 +8,7 @@ use super::record::probe_of;
 use super::start::{Machine, start};
 use super::supply::{Supply, corrected};
 use super::twin::{TwinView, twins};
+use super::unsimulated;
 use super::{Error, choose_units, cycle};
 use crate::check::{Checked, Parsed, expression, newer, parse, variants};
 use crate::control::{Control, GENERATION, MachineSort, OF_LISTS, Plane, Transverse, UnitFunction};
@@ -184,6 +185,10 @@ pub fn form(mut asked: FormRequest) -> Result<FormView, Error> {
         field.written = pointed.get(field.name.as_str()).cloned();
     }
     view.twins = asked.twin.then(|| twins(cycle, &values, &start.setup.control));
+    if let Some(list) = newer {
+        let notes = unsimulated::notes(cycle, list, &values, checked.inputs.as_ref(), &start.setup.control);
+        view.diagnostics.extend(notes.iter().map(Finding::of));
+    }
     if !asked.predict {
         return Ok(view);
     }
@@ -298,7 +303,7 @@ fn missing_tool(cycle: &Cycle, values: &Typed, done: &Source) -> Option<Finding>
     let missing = |code| Some((code, corrected(code, cycle, values, control)?));
     let (code, new) = done.outcome.alarms().into_iter().find_map(missing)?;
     let param = if new.name.is_empty() { names::TNUM } else { names::TNAME };
-    let Raised { message, hint, .. } = Raised::alarm(code);
+    let Raised { message, hint, .. } = Raised::alarm(code).on(control);
     let found = Diagnostic { hint, ..Diagnostic::new(Severity::Error, code, message) }.at(param);
     Some(Finding { offers: vec![Supply::Tool(new).offer()], ..Finding::of(&found) })
 }

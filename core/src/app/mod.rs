@@ -27,6 +27,7 @@ mod machine_check;
 mod older;
 mod outcome;
 mod places;
+mod pointed;
 mod practice;
 mod predict;
 mod program;
@@ -44,6 +45,7 @@ mod supply;
 mod terms;
 mod trace;
 mod twin;
+mod unsimulated;
 mod user_programs;
 mod written;
 
@@ -86,6 +88,7 @@ pub use machine_check::{
 };
 pub use older::{OlderCall, OlderName, OlderParameter, OlderRequest, OlderView, answers, older};
 pub use outcome::{Measured, Outcome, Raised};
+pub use pointed::{PointedRequest, PointedView, pointed};
 pub use practice::{
     PracticeActivation, PracticeApproach, PracticeArea, PracticeCall, PracticeCallRequest, PracticeChoice,
     PracticeDeviation, PracticeFace, PracticeField, PracticeFigure, PracticeFunction, PracticeKeys, PracticeMachine,
@@ -93,7 +96,7 @@ pub use practice::{
     PracticeView, PracticeWord, approach, as_mask, as_program, call_text, jog_program, practice_record, practise,
 };
 pub use predict::{ErrorLimit, ErrorSliders, PartSliders, ProbeSliders};
-pub use program::{Arrival, CallView, ProgramParameter, ProgramPlace, ReadRequest, ReadView, calls, read};
+pub use program::{Arrival, CallView, OtherCall, ProgramParameter, ProgramPlace, ReadRequest, ReadView, calls, read};
 pub use program_text::ProgramText;
 pub use protocol::{Arrow, ProtocolColumns, ProtocolRequest, ProtocolView, UnfitLine, laid, protocol};
 pub use record::{CalibrationState, ProbeOfCall, Record, RecordAbout, RecordFile, csv};

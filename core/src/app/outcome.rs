@@ -5,7 +5,8 @@ use super::changes::{Change, changes};
 use super::predict::ErrorLimit;
 use super::supply::Offer;
 use super::written::{WrittenFile, written};
-use crate::control::{Control, GENERATION};
+use crate::catalogue::alarms::newer_cure;
+use crate::control::Control;
 use crate::diagnostic::Code;
 use crate::entry::{Inputs, unit_name};
 use crate::machine::Stop;
@@ -130,9 +131,8 @@ impl Raised {
     }
 
     /// With the remedy of the generation of this control.
-    fn on(self, control: &Control) -> Raised {
-        let newer = Some(catalogue::newer::alarms::key(&self.code)).filter(|_| control.number(GENERATION) > 1.0);
-        let hint = newer.flatten().map(Message::new).or(self.hint);
+    pub(super) fn on(self, control: &Control) -> Raised {
+        let hint = newer_cure(&self.code, control).map(Message::new).or(self.hint);
         Raised { hint, ..self }
     }
 

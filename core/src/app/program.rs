@@ -5,12 +5,16 @@ use super::finding::{Finding, placed};
 use super::places::{self, Places};
 use super::start::{Machine, start};
 use super::{Error, ProgramText};
+use crate::catalogue::newer;
 use crate::check::variants;
 use crate::control::{Control, Plane, Transverse, UnitFunction, delivery};
 use crate::dialect::Dialect;
 use crate::entry::{Style, Typed};
+use crate::foreign;
+use crate::message::Message;
 use crate::name::Name;
 use crate::program::calls::{CallSite, calls_told};
+use crate::program::lists::list_calls;
 use crate::program::touched::cured_elsewhere;
 use crate::program::user_programs::UserPrograms;
 use crate::syntax::position::Positions;
@@ -40,6 +44,10 @@ pub struct ReadRequest {
 pub struct ReadView {
     /// Measuring calls of the program in order.
     pub calls: Vec<CallView>,
+    /// Calls of cycles that have no form: they are read and explained.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(test, ts(optional, as = "Option<Vec<OtherCall>>"))]
+    pub others: Vec<OtherCall>,
     /// What is wrong with it.
     pub diagnostics: Vec<Finding>,
     /// Where the files beside it begin.
@@ -54,6 +62,20 @@ pub struct ReadView {
     #[serde(skip_serializing_if = "Vec::is_empty")]
     #[cfg_attr(test, ts(optional, as = "Option<Vec<ProgramParameter>>"))]
     pub parameters: Vec<ProgramParameter>,
+}
+
+/// A call of a cycle that has no form.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct OtherCall {
+    /// Cycle as it is called.
+    pub cycle: String,
+    /// What it does.
+    pub title: Message,
+    /// Line of the call, from 1.
+    pub line: u32,
+    /// Where it begins in the text, UTF-16 units.
+    pub from: u32,
 }
 
 /// A program of a text that holds several.
@@ -189,10 +211,31 @@ fn view(program: &Program, whole: &Whole, control: Control, told: &mut dyn FnMut
     ReadView {
         diagnostics: found.iter().map(finding).collect(),
         calls: own.map(|site| call(program, site, &around, &positions)).collect(),
+        others: others(program, whole, &positions),
         files: whole.files(&positions),
         programs: places_of(program, whole, &positions),
         parameters: programs(program).units.first().map_or_else(Vec::new, |main| parameters(program, main)),
     }
+}
+
+/// The calls of cycles that have no form: those of newer controls alone, and of a control that is read and not run.
+fn others(program: &Program, whole: &Whole, positions: &Positions) -> Vec<OtherCall> {
+    let of_lists = list_calls(program).into_iter().filter_map(|call| {
+        let title = newer::title(call.list)?;
+        Some((call.list.name.to_owned(), title, call.span))
+    });
+    let control = foreign::control_of(&program.source).filter(|_| program.dialect == Dialect::Sinumerik);
+    let calls = control.map(|control| (control.calls)(&program.source)).into_iter().flatten();
+    let of_foreign = calls.filter_map(|call| {
+        let title = Message::new(call.cycle?.title());
+        Some((call.name, title, call.span))
+    });
+    let own = of_lists.chain(of_foreign).filter(|(.., span)| whole.of_program(span.start));
+    own.map(|(cycle, title, span)| {
+        let (line, _) = positions.line_column(span.start);
+        OtherCall { cycle, title, line, from: positions.utf16(span.start) }
+    })
+    .collect()
 }
 
 /// The programs of the text itself, where it holds several that have a name.

@@ -2,6 +2,7 @@
 //! raises it, and whether Probewright finds it. Meaning, cause and cure are words (`alarm-61303`, `.cause`, `.cure`).
 
 use super::{CYCLES, nct, p9920};
+use crate::control::{Control, GENERATION};
 use crate::diagnostic::Code;
 use Found::{Both, Check, Nowhere, Run};
 use Waits::{Always, BeforeRepetition, Never, WithCbit2, WithCbit2OrBeforeRepetition};
@@ -209,6 +210,16 @@ pub fn key(alarm: Code) -> String {
         }
         Code::Own(number) => format!("pw{number:03}"),
     }
+}
+
+/// Key of the remedy of an alarm on this control: a newer one has other data.
+pub fn cure(alarm: Code, control: &Control) -> String {
+    newer_cure(&alarm.to_string(), control).unwrap_or_else(|| format!("{}.cure", key(alarm)))
+}
+
+/// Key of the remedy that only a control of the second or third generation has.
+pub fn newer_cure(code: &str, control: &Control) -> Option<String> {
+    super::newer::alarms::key(code).filter(|_| control.number(GENERATION) > 1.0)
 }
 
 /// Whether the program cannot go on. A 61xxx stops it until NC RESET, a 62xxx is a message that the clear key takes

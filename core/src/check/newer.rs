@@ -48,7 +48,9 @@ pub fn check_simulated(cycle: &'static Cycle, list: &ArgumentList, typed: &Typed
         as_older.insert(names::KNUM.to_string(), code.to_string());
     }
     let Checked { diagnostics, .. } = check_listed(cycle, list, typed, control);
-    Checked { diagnostics, inputs: check_listed(cycle, list, &as_older, control).inputs }
+    let inputs = check_listed(cycle, list, &as_older, control).inputs;
+    let minus = typed.get(DIRECTION).is_some_and(|text| parse(text) == Parsed::Number(MINUS));
+    Checked { diagnostics, inputs: inputs.map(|inputs| Inputs { minus, ..inputs }) }
 }
 
 /// Whether the correction goes into the coarse part of the zero offset; a number alone means the fine one there.
@@ -66,6 +68,11 @@ fn coarse(typed: &Typed) -> Option<i64> {
 /// Where the older control puts a correction of a settable frame, which the number in these lists says: 1 coarse, 0
 /// fine (B:14035-14039).
 pub const COARSE: &str = "_CHBIT[21]";
+
+/// The argument for the measuring direction: 1 plus, 2 minus.
+pub const DIRECTION: &str = "S_MD";
+/// Its value for the minus direction.
+pub const MINUS: f64 = 2.0;
 
 /// The parameters whose values mean something else on the older control, or whose meaning is not known.
 pub fn foreign(cycle: &'static Cycle, list: &ArgumentList, typed: &Typed, control: &Control) -> Vec<Name> {

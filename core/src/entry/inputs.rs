@@ -39,6 +39,8 @@ pub struct Inputs {
     /// From the centre of the nose of the turning tool in use to its tip, abscissa and ordinate, in nose radii; none of
     /// another tool, of a button, and where no tool is in use. See [`crate::control::tools::side`].
     pub nose: Option<[f64; 2]>,
+    /// Whether the call says that it measures in the minus direction: only lists of newer controls do.
+    pub minus: bool,
 }
 
 impl Inputs {
@@ -57,6 +59,7 @@ impl Inputs {
             tool_type: 0,
             body: None,
             nose: None,
+            minus: false,
         }
     }
 

@@ -27,6 +27,8 @@ pub struct Foreign {
     pub is_program: fn(&[u8]) -> bool,
     /// The probe cycles in such a text, in their order.
     pub calls: fn(&[u8]) -> Vec<ForeignCall>,
+    /// The values that a line of a call gives.
+    pub values: fn(&[u8]) -> Vec<ForeignValue>,
     /// Its logs in a text.
     pub logs: fn(&str) -> Vec<Log>,
     /// A call with these values, in the order of the table.
@@ -171,6 +173,15 @@ pub fn control_of(source: &[u8]) -> Option<&'static Foreign> {
 /// The logs of such a control in a text.
 pub fn logs(text: &str) -> Option<(&'static Foreign, Vec<Log>)> {
     CONTROLS.into_iter().map(|control| (control, (control.logs)(text))).find(|(_, logs)| !logs.is_empty())
+}
+
+/// The parameter whose value a line gives at a byte.
+pub fn parameter_at(line: &[u8], at: u32) -> Option<(&'static Foreign, &'static Parameter, Span)> {
+    CONTROLS.into_iter().find_map(|control| {
+        let one = (control.values)(line).into_iter().find(|one| one.span.start <= at && at <= one.span.end)?;
+        let parameter = control.cycles.iter().find_map(|cycle| cycle.parameter(&one.name))?;
+        Some((control, parameter, one.span))
+    })
 }
 
 /// A cycle by its name.

@@ -2,7 +2,7 @@
 //! datum of the machine.
 
 use crate::catalogue::newer::LISTS;
-use crate::catalogue::newer::arguments::{Argument, Evidence};
+use crate::catalogue::newer::arguments::Argument;
 use crate::catalogue::{CYCLES, r_parameters, subroutines};
 use crate::control::setting_data::SETTING_DATA;
 use crate::control::versions::{Versions, versions};
@@ -92,25 +92,8 @@ fn heading(argument: &Argument, words: &Words) -> String {
 
 /// What else is known of an argument, a line each.
 pub fn about(argument: &Argument, words: &Words) -> Vec<String> {
-    let named = |key: &'static str, name: &str| words.text(&Message::new(key).text("name", name));
-    let mut lines: Vec<String> =
-        words.find(&Message::new(format!("{}-help", argument.meaning()))).into_iter().collect();
-    if !argument.screen().is_empty() {
-        lines.push(named("argument-screen", argument.screen()));
-    }
-    lines.push(match argument.older() {
-        "" => words.key("argument-no-older"),
-        older => named("argument-older", older),
-    });
-    lines.push(match (argument.evidence(), argument.alarm()) {
-        (Evidence::Values, _) => words.key("argument-values"),
-        (Evidence::Alarm, Some(alarm)) => words.text(&Message::new("argument-alarm").number("alarm", f64::from(alarm))),
-        _ => words.key("argument-name-known"),
-    });
-    if argument.is_open() {
-        lines.push(words.key("argument-open"));
-    }
-    lines
+    let help = words.find(&Message::new(format!("{}-help", argument.meaning())));
+    help.into_iter().chain(argument.about().iter().map(|line| words.text(line))).collect()
 }
 
 /// The list of newer controls that calls this cycle, an argument a line. Empty: none is published.

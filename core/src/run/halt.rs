@@ -1,6 +1,7 @@
 //! Why a run ends early: told once, when the block that caused it is left.
 
 use crate::catalogue::alarms;
+use crate::control::Control;
 use crate::diagnostic::{Diagnostic, Severity, Span};
 use crate::machine::Stop;
 use crate::message::Message;
@@ -19,11 +20,12 @@ impl Halt {
         move |stop| Halt { stop, span }
     }
 
-    pub fn diagnostic(&self) -> Diagnostic {
+    /// As a finding, with the remedy that this control has.
+    pub fn diagnostic(&self, control: &Control) -> Diagnostic {
         match &self.stop {
             Stop::Fault(message) => Problem { span: self.span, message: message.clone() }.diagnostic(Severity::Error),
             Stop::Alarm(code) => {
-                let hint = Some(Message::new(format!("{}.cure", alarms::key(*code))));
+                let hint = Some(Message::new(alarms::cure(*code, control)));
                 Diagnostic { code: *code, hint, ..Problem::at("run-alarm", self.span).diagnostic(Severity::Error) }
             }
         }

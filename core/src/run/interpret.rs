@@ -159,7 +159,8 @@ impl Session {
     /// Ends the run before its first block.
     fn refuse(&mut self, problem: Problem) {
         let halt = Halt::from(problem);
-        _ = self.run.tell_once(halt.diagnostic());
+        let found = halt.diagnostic(&self.run.sim.control);
+        _ = self.run.tell_once(found);
         self.ended = Some(Err(halt));
     }
 
@@ -248,7 +249,10 @@ pub fn one_block(run: &mut Interpreter) -> Result<Option<()>, Halt> {
 
 /// Tells why a step of the run does not come to its end.
 fn told<T>(run: &mut Interpreter, step: impl FnOnce(&mut Interpreter) -> Result<T, Halt>) -> Result<T, Halt> {
-    step(run).inspect_err(|halt| _ = run.tell_once(halt.diagnostic()))
+    step(run).inspect_err(|halt| {
+        let found = halt.diagnostic(&run.sim.control);
+        _ = run.tell_once(found);
+    })
 }
 
 fn next_block(run: &mut Interpreter) -> Result<Option<()>, Halt> {

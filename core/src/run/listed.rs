@@ -102,7 +102,7 @@ fn newer_list(
     if let Some(inputs) = &checked.inputs {
         let said = arguments::only_newer(&run.program, list, call.span).into_iter();
         let told: Vec<_> =
-            said.filter(|(name, _)| *name != DIRECTION || !leads_there(run, list, call, inputs)).collect();
+            said.filter(|(name, _)| *name != newer::DIRECTION || !leads_there(run, list, call, inputs)).collect();
         for (name, _) in told {
             run.tell(Severity::Warning, &Problem::new("run-not-simulated", call.span, name));
         }
@@ -114,17 +114,14 @@ fn newer_list(
     done
 }
 
-/// The argument for the measuring direction: 1 plus, 2 minus.
-const DIRECTION: &str = "S_MD";
-
 /// Whether the measuring direction leads from where the probe is to the set position, as the older control measures.
 fn leads_there(run: &Interpreter, list: &ArgumentList, call: &Call, inputs: &Inputs) -> bool {
-    let index = list.args.iter().position(|arg| matches!(arg, Arg::Newer(DIRECTION, _)));
+    let index = list.args.iter().position(|arg| matches!(arg, Arg::Newer(newer::DIRECTION, _)));
     let direction = index.and_then(|index| call.number(index));
     let axis = run.sim.control.plane.axes().get((inputs.integer(names::MA) % 10 - 1) as usize).copied();
     let Some(axis) = axis else { return false };
     let minus = inputs.number(names::SETVAL) < run.sim.position()[axis];
-    direction == Some(if minus { 2.0 } else { 1.0 })
+    direction == Some(if minus { newer::MINUS } else { 1.0 })
 }
 
 /// What is not 0 goes into the data (B:11734).

@@ -166,8 +166,8 @@ fn worked(inputs: &Inputs) -> Inputs {
     let variant = variants.clone().find(|one| one.number == inputs.variant).or(variants.clone().next());
     let typed = variant.map(|variant| example(cycle, variant)).unwrap_or_default();
     let control = crate::control::delivery(cycle.dialect);
-    let Inputs { plane, diameters, body, nose, tool_type, .. } = *inputs;
-    Inputs { plane, diameters, body, nose, tool_type, ..check::read(cycle, &typed, &control, &mut Vec::new()) }
+    let Inputs { plane, diameters, body, nose, tool_type, minus, .. } = *inputs;
+    Inputs { plane, diameters, body, nose, tool_type, minus, ..check::read(cycle, &typed, &control, &mut Vec::new()) }
 }
 
 /// A way that is not measured, machine coordinates, and after how many touches it comes.

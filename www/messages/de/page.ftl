@@ -601,6 +601,7 @@ call-state-ok = OK
 call-state-note = OK
 call-state-warning = Warnungen
 call-state-error = Fehler
+call-state-explained = erklärt, hat keine Maske
 call-variant-unknown = Messvariante unbekannt
 
 notice-converted = Umgewandelt.

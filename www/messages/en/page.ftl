@@ -592,6 +592,7 @@ call-state-ok = OK
 call-state-note = OK
 call-state-warning = warnings
 call-state-error = errors
+call-state-explained = explained, has no form
 call-variant-unknown = measuring variant unknown
 
 notice-converted = Converted.

@@ -585,6 +585,7 @@ call-state-ok = 无问题
 call-state-note = 无问题
 call-state-warning = 有警告
 call-state-error = 有错误
+call-state-explained = 有说明，没有输入画面
 call-variant-unknown = 测量方式未知
 
 notice-converted = 已转换。

@@ -28,6 +28,8 @@ import type {
   MachineCheckView,
   MachineRequest,
   MachineView,
+  PointedRequest,
+  PointedView,
   PracticeApproach,
   PracticeCall,
   PracticeCallRequest,
@@ -126,6 +128,8 @@ export interface ProgramCore extends FormCore {
   help(request: HelpRequest): HelpView;
   commissioning(): CommissioningView; // with the words of the help pages
   terms(): TermsView; // with the words of the help pages
+  /** What is told of a place of a line; null: nothing. */
+  pointed(request: PointedRequest): PointedView | null;
   machine(request: MachineRequest): MachineView;
   /** `why`: there is no such axis. */
   braking(request: BrakingRequest): BrakingView | { why: string };
@@ -327,6 +331,7 @@ export async function loadProgramCore(): Promise<ProgramCore> {
     commissioning: () => JSON.parse(call("commissioning", () => wasm.commissioning())) as CommissioningView,
     terms: () => JSON.parse(call("terms", () => wasm.terms())) as TermsView,
     help: request => JSON.parse(call("help", () => wasm.help(JSON.stringify(request)))) as HelpView,
+    pointed: request => JSON.parse(call("pointed", () => wasm.pointed(JSON.stringify(request)))) as PointedView | null,
     equip: request => JSON.parse(call("equip", () => wasm.equip(JSON.stringify(request)))) as EquipView,
     story: request => JSON.parse(call("story", () => wasm.story(JSON.stringify(request)))) as Story,
     braking: request => orWhy<BrakingView>(() => wasm.braking(JSON.stringify(request))),

@@ -31,8 +31,10 @@ import {
   highlightActiveLine,
   highlightActiveLineGutter,
   highlightSpecialChars,
+  hoverTooltip,
   keymap,
   lineNumbers,
+  tooltips,
   WidgetType,
 } from "@codemirror/view";
 import { difference } from "../difference";
@@ -63,6 +65,8 @@ export interface CodeValue {
 export interface EditorHost {
   typed(changes: { from: number; to: number; insert: string }[]): string;
   moved(offset: number, line: number): void;
+  /** What is told of a place of a line where the pointer rests; null: nothing. */
+  pointed(line: string, at: number): { from: number; to: number; told: HTMLElement } | null;
 }
 /** Its name, and what it says by itself: the editor's own English words with those to be shown. */
 export interface EditorWords {
@@ -198,6 +202,13 @@ function special(code: number, description: string | null, placeholder: string):
   );
 }
 
+const telling = (host: EditorHost): Extension =>
+  hoverTooltip((view, at) => {
+    const { from, text } = view.state.doc.lineAt(at);
+    const found = host.pointed(text, at - from);
+    return found && { pos: from + found.from, end: from + found.to, above: true, create: () => ({ dom: found.told }) };
+  });
+
 export function createEditor(box: HTMLElement, words: EditorWords, host: EditorHost): Editor {
   const root = box.attachShadow({ mode: "open" });
   const language = new Compartment();
@@ -239,6 +250,8 @@ export function createEditor(box: HTMLElement, words: EditorWords, host: EditorH
         valuesField,
         language.of(LANGUAGES[dialect]),
         theme,
+        telling(host),
+        tooltips({ tooltipSpace: ({ dom }) => dom.getBoundingClientRect() }), // it is cut off beyond
         listen,
         keymap.of([...own, ...searchKeymap, ...lintKeymap, ...defaultKeymap]),
         spoken.of(speaking(words)),

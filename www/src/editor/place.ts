@@ -35,6 +35,7 @@ export function createEditorPlace(laying: Job, calm: Promise<void>, ready: () =>
   const through: EditorHost = {
     typed: changes => host?.typed(changes) ?? "",
     moved: (offset, line) => host?.moved(offset, line),
+    pointed: (line, at) => host?.pointed(line, at) ?? null,
   };
   const start = async (): Promise<void> => {
     const { createEditor } = await import("./editor");

@@ -46,6 +46,15 @@ const look = EditorView.theme({
     pointerEvents: "none",
   },
   ".cm-tooltip": { backgroundColor: v("surface-raised"), color: v("ink"), border: `1px solid ${v("rule-strong")}` },
+  ".cm-tooltip-hover": { maxHeight: "220px", overflowY: "auto" },
+  ".cm-told": {
+    maxWidth: "min(60ch, 90vw)",
+    padding: "6px 8px",
+    fontFamily: v("sans"),
+    fontSize: v("text-small"),
+    overflowWrap: "anywhere",
+  },
+  ".cm-told p": { margin: "0" },
   ".cm-diagnostic": { fontFamily: v("sans"), fontSize: v("text-small") },
   "@media (forced-colors: active)": {
     ".cm-call-open": { borderLeft: "3px solid Highlight" },

@@ -31,6 +31,7 @@ import { createSets } from "../views/sets";
 import { createSliders } from "../views/sliders";
 import type { Stage } from "../views/stage";
 import { createTasks } from "../views/tasks";
+import { createTold } from "../views/told";
 import type { Catalogue, Dialect } from "../wire";
 import { createActivities, type Work } from "./activities";
 import { commandsOf } from "./commands";
@@ -89,7 +90,8 @@ export function createBench(parts: Parts): Bench {
   const chain = el("div", { class: "chain" }); // of the form
   const define = createDefine(store, actions, core);
   document.body.append(define.dialog);
-  const program = createProgram(panels.program, store, actions, open, parts.editor, name => define.open(name));
+  const told = createTold(core, () => store.state);
+  const program = createProgram(panels.program, store, actions, open, parts.editor, name => define.open(name), told);
   const activities = createActivities(store, parts.work);
   const refusals = [createRefusal(store, "program"), createRefusal(store, "setup")] as const;
   const newer = createNewer(store);

@@ -208,7 +208,11 @@ function editors(): States {
   };
   return Object.entries(shown).map(([state, part]) => {
     const box = el("div", { class: "editor" });
-    const editor = createEditor(box, editorWords(), { typed: () => BLOCKS, moved: () => undefined });
+    const editor = createEditor(box, editorWords(), {
+      typed: () => BLOCKS,
+      moved: () => undefined,
+      pointed: () => null,
+    });
     editor.set({ text: BLOCKS, ...part });
     return [state, box];
   });

@@ -1,24 +1,38 @@
-// The measuring calls of the program: line, cycle, variant, and what is said about them. Only the rows in sight exist,
-// so that a thousand calls cost as much as ten.
+// The measuring calls of the program: line, cycle, variant, and what is said about them; among them those that have no
+// form. Only the rows in sight exist, so that a thousand calls cost as much as ten.
 
-import { html, render } from "lit-html";
+import { html, nothing, render } from "lit-html";
 import { repeat } from "lit-html/directives/repeat.js";
 import type { Derived } from "../desk/derive";
 import { el, on, setAttribute, show } from "../dom";
 import { type Command, meantBy } from "../keys";
 import type { State } from "../state/state";
-import { t } from "../texts";
-import type { CallView, Catalogue, Severity } from "../wire";
+import { say, t } from "../texts";
+import type { CallView, Catalogue, OtherCall, ReadView, Severity } from "../wire";
 
 const BEYOND = 4; // rows drawn above and below what is in sight
-const MARKS: Record<Severity | "ok", string> = { ok: "✓", note: "✓", warning: "!", error: "✕" };
+type Mark = Severity | "ok" | "explained"; // the last: it has no form
+const MARKS: Record<Mark, string> = { ok: "✓", note: "✓", warning: "!", error: "✕", explained: "·" };
+
+/** A call with its number, or one that has no form. */
+type Item = { call: CallView; index: number } | { other: OtherCall };
 
 interface Row {
-  call: CallView;
-  index: number;
-  state: Severity | "ok";
-  variant: string;
+  cycle: string;
+  line: number;
+  place: number; // among all rows
+  index: number | null; // of the call
+  state: Mark;
+  says: string;
   open: boolean;
+}
+
+/** All rows in the order of the text. */
+function itemsOf({ calls, others }: ReadView): Item[] {
+  const all: Item[] = calls.map((call, index) => ({ call, index }));
+  if (!others?.length) return all;
+  const from = (one: Item): number => ("call" in one ? one.call.from : one.other.from);
+  return [...all, ...others.map(other => ({ other }))].sort((one, other) => from(one) - from(other));
 }
 
 /** Names of the variants, looked up once. */
@@ -30,26 +44,31 @@ function variantNames({ cycles }: Catalogue): Map<string, string> {
   );
 }
 
-function row({ call, index, state, variant, open }: Row, count: number, current: boolean, tall: number) {
+function row({ cycle, line, place, index, state, says, open }: Row, count: number, current: boolean, tall: number) {
   return html`<div
     role="option"
     class=${current ? "call-row current" : "call-row"}
-    id=${`call-${index}`}
-    data-call=${index}
+    id=${`call-${place}`}
+    data-row=${place}
+    data-call=${index ?? nothing}
     data-state=${state}
     aria-selected=${String(open)}
     aria-setsize=${count}
-    aria-posinset=${index + 1}
-    .style=${`top: ${index * tall}px`}
+    aria-posinset=${place + 1}
+    .style=${`top: ${place * tall}px`}
     ><span class="call-mark" aria-hidden="true">${MARKS[state]}</span
-    ><code>${call.cycle}</code
-    ><span class="call-line">${t("program-call-line", { line: call.lastLine })}</span
-    ><span class="call-variant">${variant}</span
+    ><code>${cycle}</code
+    ><span class="call-line">${t("program-call-line", { line })}</span
+    ><span class="call-variant">${says}</span
     ><span class="visually-hidden">${t(`call-state-${state}`)}</span
   ></div>`; // no gaps: so it is copied
 }
 
-export function createOutline(openCall: (index: number) => void): {
+/** `show`: the place of a call that has no form. */
+export function createOutline(
+  openCall: (index: number) => void,
+  showPlace: (offset: number) => void,
+): {
   root: HTMLElement;
   draw(state: State, derived: Derived): void;
 } {
@@ -62,27 +81,42 @@ export function createOutline(openCall: (index: number) => void): {
   let names: Map<string, string> | null = null;
   let cycles: Catalogue["cycles"] | null = null; // that they are of
   let shown: { state: State; derived: Derived } | null = null;
+  let items: { read: ReadView; all: Item[] } | null = null;
   let current = 0;
   let opened: number | null = null; // where the call begins that was scrolled to
 
   const height = (): number => parseFloat(getComputedStyle(list).getPropertyValue("--row")) || 38;
+  const allOf = (read: ReadView): Item[] => {
+    if (items?.read !== read) items = { read, all: itemsOf(read) };
+    return items.all;
+  };
+  const all = (): Item[] => (shown ? allOf(shown.derived.read) : []);
   const rows = (from: number, to: number): Row[] => {
     if (!shown) return [];
     const { derived, state } = shown;
-    return derived.read.calls.slice(from, to).map((call, offset): Row => {
-      const key = names?.get(`${call.control}/${call.cycle}/${call.mvar}`);
-      const said = derived.states[from + offset];
-      return {
-        call,
-        index: from + offset,
-        state: said ?? "ok",
-        variant: key ? t(key) : t("call-variant-unknown"),
-        open: state.form.open === call.from,
-      };
-    });
+    return all()
+      .slice(from, to)
+      .map((item, offset): Row => {
+        const place = from + offset;
+        if ("other" in item) {
+          const { cycle, line, title } = item.other;
+          return { cycle, line, place, index: null, state: "explained", says: say(title), open: false };
+        }
+        const { call, index } = item;
+        const key = names?.get(`${call.control}/${call.cycle}/${call.mvar}`);
+        return {
+          cycle: call.cycle,
+          line: call.lastLine,
+          place,
+          index,
+          state: derived.states[index] ?? "ok",
+          says: key ? t(key) : t("call-variant-unknown"),
+          open: state.form.open === call.from,
+        };
+      });
   };
   const draw = (): void => {
-    const count = shown?.derived.read.calls.length ?? 0;
+    const count = all().length;
     const tall = height();
     current = Math.max(0, Math.min(current, count - 1));
     const first = Math.max(0, Math.floor(list.scrollTop / tall) - BEYOND);
@@ -91,8 +125,8 @@ export function createOutline(openCall: (index: number) => void): {
     render(
       repeat(
         rows(first, last),
-        one => one.index,
-        one => row(one, count, one.index === current, tall),
+        one => one.place,
+        one => row(one, count, one.place === current, tall),
       ),
       space,
     );
@@ -105,16 +139,22 @@ export function createOutline(openCall: (index: number) => void): {
     else if (top + tall > list.scrollTop + list.clientHeight) list.scrollTop = top + tall - list.clientHeight;
   };
   const go = (index: number): void => {
-    current = Math.max(0, Math.min(index, (shown?.derived.read.calls.length ?? 1) - 1));
+    current = Math.max(0, Math.min(index, all().length - 1));
     bring(current);
     draw();
   };
   on(list, "scroll", draw);
+  const choose = (): void => {
+    const item = all()[current];
+    if (!item) return;
+    if ("call" in item) openCall(item.index);
+    else showPlace(item.other.from);
+  };
   on(list, "click", event => {
-    const index = (event.target as Element).closest<HTMLElement>("[data-call]")?.dataset.call;
-    if (index === undefined) return;
-    go(Number(index));
-    openCall(Number(index));
+    const place = (event.target as Element).closest<HTMLElement>("[data-row]")?.dataset.row;
+    if (place === undefined) return;
+    go(Number(place));
+    choose();
   });
   on(list, "keydown", event => {
     const page = Math.max(1, Math.floor(list.clientHeight / height()) - 1);
@@ -125,7 +165,7 @@ export function createOutline(openCall: (index: number) => void): {
       "previous-page": () => go(current - page),
       first: () => go(0),
       last: () => go(Infinity),
-      choose: () => openCall(current),
+      choose,
     };
     const move = moves[meantBy(event, "list") ?? "leave"];
     if (!move) return;
@@ -138,7 +178,7 @@ export function createOutline(openCall: (index: number) => void): {
     root: list,
     draw(state, derived) {
       const before = shown;
-      const visible = state.panels.outline && derived.read.calls.length > 0;
+      const visible = state.panels.outline && allOf(derived.read).length > 0;
       show(list, visible);
       if (visible && derived.catalogue.cycles !== cycles) {
         names = variantNames(derived.catalogue);
@@ -151,7 +191,7 @@ export function createOutline(openCall: (index: number) => void): {
         before.state.panels.outline === state.panels.outline;
       shown = { state, derived };
       if (!visible || same) return;
-      const index = derived.read.calls.findIndex(call => call.from === state.form.open);
+      const index = all().findIndex(one => "call" in one && one.call.from === state.form.open);
       if (index >= 0 && state.form.open !== opened) {
         current = index;
         bring(index);

@@ -63,6 +63,7 @@ export function createProgram(
   opening: Opening,
   place: EditorPlace,
   define: (name: string) => void,
+  pointed: EditorHost["pointed"],
 ): ProgramView {
   const name = el("span", { class: "count" });
   const copy = tool("copy", "program-copy");
@@ -110,11 +111,14 @@ export function createProgram(
     calls,
     el("div", { class: "head-actions" }, open, file, beside.button, download, copy),
   );
-  const outline = createOutline(index => {
-    actions.openCall(index);
-    const call = last?.read.calls[index];
-    if (call) select({ offset: call.from });
-  });
+  const outline = createOutline(
+    index => {
+      actions.openCall(index);
+      const call = last?.read.calls[index];
+      if (call) select({ offset: call.from });
+    },
+    offset => select({ offset }),
+  );
   root.append(head, origin.told, beside.root, el("div", { class: "program-body" }, outline.root, waiting, place.box));
 
   let text = "";
@@ -154,6 +158,7 @@ export function createProgram(
       const pointed = last?.fresh ? valueAt(last.opened, place) : null;
       if (pointed !== store.state.form.pointed) store.update({ form: { pointed } });
     },
+    pointed,
   };
   place.serve(host);
   const select = (wanted: { offset: number } | { line: number }): void => {
@@ -181,7 +186,7 @@ export function createProgram(
   };
 
   const drawCalls = (state: State, derived: Derived): void => {
-    const count = derived.read.calls.length;
+    const count = derived.read.calls.length + (derived.read.others?.length ?? 0);
     show(calls, count > 0);
     setText(calls, t("program-call-count", { count }));
     setAttribute(calls, "aria-expanded", String(state.panels.outline));

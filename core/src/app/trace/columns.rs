@@ -3,6 +3,7 @@
 
 use super::Happened;
 use crate::machine::{MotionKind, Step};
+use crate::run::Outcome;
 use crate::scene::Source;
 use crate::workpiece::Touching;
 use serde::Serialize;
@@ -63,5 +64,6 @@ pub fn columns(source: &Source) -> Columns {
 
 /// The steps that are no motions, in order.
 pub fn others(source: &Source) -> impl Iterator<Item = impl Serialize> {
-    source.outcome.trace.entries.others().map(|other| Happened::new(Cow::Borrowed(other.step), other.line))
+    let Outcome { trace, control, .. } = &source.outcome;
+    trace.entries.others().map(|other| Happened::new(Cow::Borrowed(other.step), other.line, control))
 }

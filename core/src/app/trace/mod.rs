@@ -7,6 +7,7 @@ mod tool_tests;
 mod turned_tests;
 
 use super::Raised;
+use crate::control::Control;
 use crate::machine::{Entries, Setup, Step};
 use crate::scene::Source;
 use crate::scene::frames::{Frame, frames};
@@ -82,7 +83,7 @@ impl Serialize for Source {
 impl Trace<'_> {
     fn of(source: &Source) -> Trace<'_> {
         let Source { setup, outcome, zones, limits, apart, .. } = source;
-        let entries = Told((!*apart).then_some(&outcome.trace.entries));
+        let entries = Told((!*apart).then_some(&outcome.trace.entries), &outcome.control);
         let (tools, in_use) = tools(setup, outcome);
         // a program may begin without a tool that tells
         let turning = outcome.before.turns() || outcome.control.turns();
@@ -104,23 +105,23 @@ impl Trace<'_> {
 
 /// The entries, each made as it is written; none: they are handed over apart.
 #[derive(Clone, Debug, PartialEq)]
-struct Told<'a>(Option<&'a Entries>);
+struct Told<'a>(Option<&'a Entries>, &'a Control);
 
 impl Serialize for Told<'_> {
     fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
-        to.collect_seq(self.0.into_iter().flat_map(happened))
+        to.collect_seq(self.0.into_iter().flat_map(|entries| happened(entries, self.1)))
     }
 }
 
-/// Each entry as it is told.
-pub fn happened(entries: &Entries) -> impl Iterator<Item = impl Serialize> {
-    entries.iter().map(|entry| Happened::new(Cow::Owned(entry.step), entry.line))
+/// Each entry as it is told; an alarm with the remedy that this control has.
+pub fn happened(entries: &Entries, control: &Control) -> impl Iterator<Item = impl Serialize> {
+    entries.iter().map(|entry| Happened::new(Cow::Owned(entry.step), entry.line, control))
 }
 
 impl<'a> Happened<'a> {
-    fn new(step: Cow<'a, Step>, line: Option<u32>) -> Happened<'a> {
+    fn new(step: Cow<'a, Step>, line: Option<u32>, control: &Control) -> Happened<'a> {
         let alarm = match *step {
-            Step::Alarm(code) => Some(Raised::alarm(code)),
+            Step::Alarm(code) => Some(Raised::alarm(code).on(control)),
             _ => None,
         };
         Happened { step, alarm, line: line.map(|line| line + 1) }

@@ -2,6 +2,7 @@
 
 use crate::file::Problem;
 use probewright_core::app::{RunView, happened};
+use probewright_core::control::Control;
 use probewright_core::json;
 use probewright_core::machine::Entries;
 use probewright_core::run::Outcome;
@@ -19,7 +20,8 @@ pub fn print(mut view: RunView, words: &Words, out: &mut dyn Write) -> Result<Ou
     view.trace.apart = true;
     let mut document = json::document(&view);
     words.speak(&mut document);
-    let steps = Steps { entries: &view.trace.outcome.trace.entries, words };
+    let outcome = &view.trace.outcome;
+    let steps = Steps { entries: &outcome.trace.entries, control: &outcome.control, words };
     serde_json::to_writer_pretty(&mut *out, &Part { document: &document, below: &STEPS, steps: &steps })?;
     writeln!(out)?;
     Ok(view.trace.outcome)
@@ -50,12 +52,13 @@ impl Serialize for Part<'_> {
 
 struct Steps<'a> {
     entries: &'a Entries,
+    control: &'a Control,
     words: &'a Words,
 }
 
 impl Serialize for Steps<'_> {
     fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
-        to.collect_seq(happened(self.entries).map(|step| {
+        to.collect_seq(happened(self.entries, self.control).map(|step| {
             let mut step = json::document(&step);
             self.words.speak(&mut step);
             step

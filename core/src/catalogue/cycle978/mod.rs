@@ -83,12 +83,16 @@ fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     }
 }
 
-/// A block with a face at the set position, and a start opposite it, further away than `_FA` (B:6376-6384): on the
-/// minus side in the plane, above along the applicate.
+/// A block with a face at the set position, and a start opposite it, further away than `_FA` (B:6376-6384): in the
+/// plane on the minus side, unless the call measures in the minus direction; above along the applicate.
 fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     let axis = (inputs.integer(names::MA).clamp(1, 3) - 1) as usize;
     let away = inputs.number(names::FA) + place::ball_radius(inputs, control) + 5.0;
-    let side = if axis == 2 { place::side(control) } else { -1.0 };
+    let side = match axis {
+        2 => place::side(control),
+        _ if inputs.minus => 1.0,
+        _ => -1.0,
+    };
     let (part, start) = place::face(control, axis, inputs.number(names::SETVAL), side, away);
     Proposal { tools: place::corrected_tools(inputs), ..place::proposal(part, start) }
 }

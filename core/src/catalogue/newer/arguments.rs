@@ -3,6 +3,7 @@
 
 use crate::catalogue::CYCLES;
 use crate::entry::{Arg, ArgumentList, Param};
+use crate::message::Message;
 use crate::name::Name;
 
 /// How the meaning of an argument is known.
@@ -225,6 +226,23 @@ impl Argument {
             "" => self.param().map_or("argument-name-only".into(), |param| format!("param-{}", param.key)),
             own => own.into(),
         }
+    }
+
+    /// What else is known of it, a line each.
+    pub fn about(&self) -> Vec<Message> {
+        let named = |key: &'static str, name: &str| Message::new(key).text("name", name);
+        let screen = (!self.screen().is_empty()).then(|| named("argument-screen", self.screen()));
+        let older = match self.older() {
+            "" => Message::new("argument-no-older"),
+            older => named("argument-older", older),
+        };
+        let known = match (self.evidence(), self.alarm()) {
+            (Evidence::Values, _) => Message::new("argument-values"),
+            (Evidence::Alarm, Some(alarm)) => Message::new("argument-alarm").number("alarm", f64::from(alarm)),
+            _ => Message::new("argument-name-known"),
+        };
+        let open = self.is_open().then(|| Message::new("argument-open"));
+        screen.into_iter().chain([older, known]).chain(open).collect()
     }
 
     /// The parameter with its meaning: that of the cycle that the list calls, else of another one.

@@ -11,6 +11,12 @@ pub mod arguments;
 use crate::catalogue::prelude::*;
 use crate::entry::names::*;
 
+/// What the cycle of a list does, where the older control does not have it: else its entry says it.
+pub fn title(list: &ArgumentList) -> Option<Message> {
+    let alone = super::CYCLES.iter().all(|cycle| cycle.name != list.name);
+    alone.then(|| Message::new(format!("newer-{}", list.name.to_ascii_lowercase())))
+}
+
 /// An argument that means what a parameter of the older control means.
 const fn as_param(name: &'static str, param: Name) -> Arg {
     Arg::Newer(name, Some(param))

@@ -16,6 +16,7 @@ pub static CONTROL: Foreign = Foreign {
     results: "tnc-results",
     is_program: read::is_program,
     calls: read::calls,
+    values: read::values_of_line,
     logs: log::logs,
     call,
 };

@@ -38,6 +38,13 @@ pub fn calls(source: &[u8]) -> Vec<ForeignCall> {
     found
 }
 
+/// The values that a line gives which goes on with a call.
+pub fn values_of_line(line: &[u8]) -> Vec<ForeignValue> {
+    let code = code(line);
+    let at = code.as_ptr() as usize - line.as_ptr() as usize;
+    if is_value(code) { values(code, at) } else { Vec::new() }
+}
+
 /// Lines with where they begin, without what ends them.
 fn lines(source: &[u8]) -> impl Iterator<Item = (usize, &[u8])> {
     let mut next = 0;

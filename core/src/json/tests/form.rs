@@ -119,6 +119,36 @@ fn the_same_task_on_the_other_control_stands_beside_the_form() {
     assert!(view.get("twins").is_none());
 }
 
+// oracle: hand: 2 is the minus direction: the probe starts beyond the face; what only newer controls have is told
+#[test]
+fn the_start_of_a_list_follows_its_direction() {
+    let ask = |cycle: &str, values: Value| {
+        let request = json!({ "control": "sinumerik", "cycle": cycle, "written": "operate", "predict": true,
+            "values": values });
+        form(&request.to_string()).unwrap()
+    };
+    let told = |view: &Value| -> Vec<String> {
+        let all = view["diagnostics"].as_array().unwrap().iter();
+        let own = all.filter(|one| one["code"] == "PW203");
+        own.map(|one| one["param"].as_str().unwrap_or_default().to_owned()).collect()
+    };
+    for (direction, side) in [("1", -1.0), ("2", 1.0)] {
+        let face = json!({ "_MVAR": "100", "_SETVAL": "12", "_MA": "1", "_KNUM": "1", "_FA": "2", "S_MD": direction });
+        let view = ask("CYCLE978", face);
+        assert_eq!(told(&view), [""; 0], "{direction}");
+        let start = view["setup"]["position"][0].as_f64().unwrap();
+        assert!((start - 12.0) * side > 0.0, "{direction}: {start}");
+        assert!(view["outcome"].is_object());
+    }
+    // from above a face is measured downwards only
+    let up = json!({ "_MVAR": "100", "_SETVAL": "12", "_MA": "3", "_KNUM": "1", "_FA": "2", "S_MD": "1" });
+    assert_eq!(told(&ask("CYCLE978", up)), ["S_MD"]);
+    let hole = json!({ "_MVAR": "101", "_SETVAL": "50", "_KNUM": "1", "_FA": "2", "S_STA1": "30", "S_XM": "5" });
+    assert_eq!(told(&ask("CYCLE977", hole)), ["S_STA1", "S_XM"]);
+    let boss = json!({ "_MVAR": "102", "_SETVAL": "50", "_KNUM": "1", "_FA": "2", "_ID": "16" });
+    assert_eq!(told(&ask("CYCLE977", boss)), ["_ID"]);
+}
+
 // oracle: hand: the limits are set value plus tolerance; a zero offset is a datum; TNC 320 9/2016 p. 396 for the rest
 #[test]
 fn the_same_task_stands_beside_the_form_as_other_controls_write_it() {

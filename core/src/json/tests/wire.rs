@@ -136,6 +136,8 @@ fn the_types_of_the_page_are_those_of_the_core() {
     types.visit::<Story>();
     types.visit::<ReadRequest>();
     types.visit::<ReadView>();
+    types.visit::<PointedRequest>();
+    types.visit::<PointedView>();
     types.visit::<ChangeRequest>();
     types.visit::<Changed>();
     types.visit::<ConvertRequest>();

@@ -57,6 +57,10 @@ fn missing(program: &Program, programs: &Programs, block: &Block) -> Vec<(Span, 
     }
     let named = words.iter().enumerate().filter_map(|(at, word)| {
         let name = named_outside(program, programs, words, at)?;
+        // a cycle of newer controls is no program of the user
+        if catalogue::list::newer_alone(&program.name(name)).is_some() {
+            return None;
+        }
         // a text is called at the word before it
         let manner = before(words, at).filter(|_| matches!(word.kind, WordKind::Constant(_)));
         Some((manner.unwrap_or(word).span, bare(&program.name(name)).to_owned()))

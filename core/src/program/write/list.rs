@@ -198,15 +198,23 @@ fn own_value(source: &Source, name: &str) -> String {
 /// which the older call does not say, and the infeed, whose sign differs between programs.
 fn to_look_at(source: &Source, list: &'static ArgumentList) -> Vec<Diagnostic> {
     let has = |name: &str| Argument::all(list).any(|one| one.name == name);
-    let direction = has(DIRECTION) && own_value(source, DIRECTION).is_empty();
-    let direction = direction.then(|| own::WRITE_DIRECTION.finding().at(Name::new(DIRECTION)));
+    let direction = has(newer::DIRECTION) && own_value(source, newer::DIRECTION).is_empty();
+    let direction = direction.then(|| own::WRITE_DIRECTION.finding().at(Name::new(newer::DIRECTION)));
     let infeed = source.value(&names::ID).filter(|text| parse(text) != Parsed::Number(0.0));
     let infeed = infeed.filter(|_| list.position(names::ID).is_some());
     let infeed = infeed.map(|text| own::WRITE_INFEED.finding().text("value", text).at(names::ID));
-    direction.into_iter().chain(infeed).collect()
+    direction.into_iter().chain(infeed).chain(coarse(source, list)).collect()
 }
 
-const DIRECTION: &str = "S_MD";
+/// The number of a settable zero offset whose coarse part the older control corrects by a user datum: in the list that
+/// number means the fine part.
+fn coarse(source: &Source, list: &ArgumentList) -> Option<Diagnostic> {
+    let number = source.inputs.given(names::KNUM).filter(|_| list.position(names::KNUM).is_some())?;
+    let settable = (1.0..=99.0).contains(&number) && number.fract() == 0.0;
+    let coarse = settable && source.control.number(newer::COARSE) == 1.0;
+    let found = || own::WRITE_COARSE.finding().number("value", number).number("coarse", number + 10_000.0);
+    coarse.then(|| found().at(names::KNUM))
+}
 
 fn parameter(source: &Source, name: &str) -> String {
     if let Some(text) = source.value(name) {

@@ -4,6 +4,7 @@ use super::known::{Document, Known, Valued, name_around};
 use crate::alarms;
 use probewright_core::app;
 use probewright_core::diagnostic::Code;
+use probewright_core::foreign;
 use probewright_core::form::{Choice, Entry, Field, Group};
 use probewright_core::message::Message;
 use probewright_core::program::calls::CallSite;
@@ -11,6 +12,7 @@ use probewright_core::program::lists::list_call;
 use probewright_core::report::alarms::named;
 use probewright_core::report::explain;
 use probewright_core::report::findings::finding;
+use probewright_core::report::foreign::parameter;
 use probewright_core::words::Words;
 
 /// The finding of a measuring call of an 840C.
@@ -28,7 +30,9 @@ pub fn at(document: &Document, known: &Known, at: u32, words: &Words) -> Option<
         return Some(call(known, site, words));
     }
     let name = name_around(document.text.as_str(), at as usize);
-    let told = explain::datum(name, words) + &finding(name, words) + &of_older(known, name, words);
+    let of_foreign = foreign::control_of(&known.program.source).map(|_| parameter(name, words)).unwrap_or_default();
+    let own = explain::datum(name, words) + &finding(name, words);
+    let told = own + &of_older(known, name, words) + &of_foreign;
     let alarm = || named(name, words).or_else(|| named(&message_around(document, at as usize)?, words));
     let alarm = || alarm().map(|told| alarms::explained(&told, words));
     if told.is_empty() { alarm() } else { Some(told) }.filter(|_| !name.is_empty())
