@@ -574,6 +574,48 @@ export type Cited = string;
 /** Where a problem is named. */
 export type Code = string;
 
+/** A way to commission. */
+export type CommissioningPath = {
+  /** By which it is known. */
+  id: string,
+  /** For which machine it is. */
+  title: Message,
+  /** Its steps, in their order. */
+  steps: Array<CommissioningStep>,
+};
+
+/** A step of it. */
+export type CommissioningStep = {
+  /** By which it is known in all ways: `adv-old/6-3`. */
+  id: string,
+  /** As other steps name it: `6.3`; empty: none does. */
+  number: string,
+  /** What it is about. */
+  title: Message,
+  /** What is to be done. */
+  action: Message,
+  /** When it is due; absent: always. */
+  condition?: Message,
+  /** How it is seen to be right. */
+  check?: Message,
+  /** Versions for which it is; empty: all. */
+  versions: string,
+  /** Files and archives. */
+  files: string,
+  /** Softkeys and lines, as the control has them. */
+  softkeys: string,
+  /** Place in the manual. */
+  source: Cited,
+};
+
+/** All ways to commission, and all connections. */
+export type CommissioningView = {
+  /** The ways, by operator panel and its version. */
+  paths: Array<CommissioningPath>,
+  /** Connections of probes. */
+  connections: Array<ConnectionView>,
+};
+
 /** A value that a call has in one way of writing only, or otherwise in the other. */
 export type ComparedValue = {
   /** Line of the call as it is, from 1. */
@@ -588,6 +630,34 @@ export type ComparedValue = {
   before: string | null,
   /** As it would arrive; null: it would not, and the value is lost. */
   after: string | null,
+};
+
+/** A concept with its page. */
+export type ConceptView = {
+  /** By which a field names it. */
+  id: string,
+  /** Group in which it stands. */
+  group: Message,
+  /** Title of the page. */
+  title: Message,
+  /** What it says. */
+  lines: Array<Message>,
+  /** Parameters and data that it explains. */
+  names: Array<string>,
+  /** Place in the manual. */
+  source: Cited,
+};
+
+/** A connection. */
+export type ConnectionView = {
+  /** Pin, plug or address. */
+  signal: string,
+  /** Its name. */
+  title: Message,
+  /** What it carries, and what is to be set and checked. */
+  meaning: Message,
+  /** Place in the manual. */
+  source: Cited,
 };
 
 /** A part of an uncertainty. */
@@ -3452,6 +3522,28 @@ export type Temperature = {
   spread: number,
   /** How much it grows, µm per m and K. */
   expansion: number,
+};
+
+/** A term with its definition. */
+export type TermView = {
+  /** The term. */
+  term: Message,
+  /** What it means. */
+  meaning: Message,
+  /** Parameters and data that hold it. */
+  names: Array<string>,
+  /** Terms that help to understand it. */
+  see: Array<Message>,
+  /** Place in the manual. */
+  source: Cited,
+};
+
+/** All of them. */
+export type TermsView = {
+  /** Concepts, those of a group together. */
+  concepts: Array<ConceptView>,
+  /** Terms, by the alphabet of English. */
+  terms: Array<TermView>,
 };
 
 /** A tool. */
