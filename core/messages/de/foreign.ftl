@@ -1,5 +1,5 @@
 # Steuerungen anderer Hersteller.
-foreign-program = Programm für { $control } mit { $count } Tastsystemzyklen: Sie werden gelesen und erklärt, ausgeführt wird nichts.
+foreign-program = Programm für { $control }, Tastsystemzyklen: { $count }. Sie werden gelesen und erklärt, ausgeführt wird nichts.
 foreign-call = Ein Tastsystemzyklus einer anderen Steuerung und was er tut.
 foreign-unknown = { $call } von { $control } ist hier nicht beschrieben.
 foreign-twice = { $name } steht zweimal in { $call }.

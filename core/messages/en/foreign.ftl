@@ -1,5 +1,5 @@
 # Controls of other makers.
-foreign-program = Program of { $control } with { $count } probe cycles: they are read and explained; nothing of it is run.
+foreign-program = Program of { $control }, probe cycles: { $count }. They are read and explained; nothing of it is run.
 foreign-call = A probe cycle of another control, and what it does.
 foreign-unknown = { $call } of { $control } is not described here.
 foreign-twice = { $name } occurs twice in { $call }.

@@ -1,5 +1,5 @@
 # 其他厂家的控制系统。
-foreign-program = { $control } 的程序，有 { $count } 个探测循环：可以读取并说明，但不运行。
+foreign-program = { $control } 的程序，探测循环：{ $count } 个。可以读取并说明，但不运行。
 foreign-call = 另一种控制系统的探测循环及其作用。
 foreign-unknown = { $control } 的 { $call } 在这里没有说明。
 foreign-twice = { $call } 中 { $name } 出现了两次。

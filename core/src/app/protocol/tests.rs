@@ -250,9 +250,9 @@ fn a_field_is_a_figure_or_none() {
 #[test]
 fn a_log_in_groups_is_laid_onto_the_calls() {
     let log = "Measuring log for touch probe cycle 421 Hole measuring\nNominal values:\n\
-        Center in reference axis: 0.0000\nCenter in minor axis: 0.0000\nDiameter: 50.0000\nActual values:\nCenter in reference axis: 0.0810\n\
-        Center in minor axis: -0.0470\nDiameter: 50.0259\nDeviations:\nCenter in reference axis: 0.0810\n\
-        Center in minor axis: -0.0470\nDiameter: 0.0259\n";
+        Center in reference axis: 0.0000\nCenter in minor axis: 0.0000\nDiameter: 50.0000\n\
+        Actual values:\nCenter in reference axis: 0.0810\nCenter in minor axis: -0.0470\nDiameter: 50.0259\n\
+        Deviations:\nCenter in reference axis: 0.0810\nCenter in minor axis: -0.0470\nDiameter: 0.0259\n";
     let view = onto_nominal(log, None).unwrap();
     assert_eq!((view.fitted, view.missing, view.unfit.len()), (3, 2, 0), "{:?}", view.unfit);
     let first = values(&view.answers[..1]);
