@@ -93,9 +93,9 @@ user-program-behind-line = nach der Messung in { $cycle }
 
 # Programme älterer Versionen.
 
-older-call = { $word } mit R-Parametern ist ein Messaufruf einer 840C; hier ist es { $cycle }.
+older-call = { $word } mit R-Parametern ist ein Messaufruf einer 840C, heute { $cycle }. Seine Parameter: { $names }.
 older-call-hint = Das Programm umwandeln, danach Anwender- und Maschinendaten prüfen und den Messtaster neu kalibrieren.
-older-convert = { $cycles } und Parameternamen statt der R-Parameter schreiben
+older-convert = In { $cycles } umwandeln
 older-open-id = { $text }: Ist das die Zustellung _ID auf Messhöhe? Für diese Variante von { $cycles } druckt das Handbuch { $other } neben demselben R-Parameter.
 older-open-sza = { $text }: Ist das die Schutzzone _SZA? Für diese Variante von { $cycles } druckt das Handbuch { $other } neben demselben R-Parameter.
 older-open-md = { $text }: Ist das die Messrichtung _MD? Für diese Variante von { $cycles } druckt das Handbuch { $other } neben demselben R-Parameter.

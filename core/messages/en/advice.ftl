@@ -93,9 +93,9 @@ user-program-behind-line = after measurement in { $cycle }
 
 # Programs of older versions.
 
-older-call = { $word } with R parameters is a measuring call of an 840C; here it is { $cycle }.
+older-call = { $word } with R parameters is a measuring call of an 840C, today { $cycle }. Its parameters: { $names }.
 older-call-hint = Convert the program, then check user and machine data and calibrate the probe again.
-older-convert = Write { $cycles } and parameter names instead of the R parameters
+older-convert = Convert to { $cycles }
 older-open-id = { $text }: is this the infeed _ID to measuring height? For this variant of { $cycles } the manual prints { $other } beside the same R parameter.
 older-open-sza = { $text }: is this the protection zone _SZA? For this variant of { $cycles } the manual prints { $other } beside the same R parameter.
 older-open-md = { $text }: is this the measuring direction _MD? For this variant of { $cycles } the manual prints { $other } beside the same R parameter.

@@ -93,9 +93,9 @@ user-program-behind-line = { $cycle } 中测量之后
 
 # 旧版本的程序。
 
-older-call = 带 R 参数的 { $word } 是 840C 的测量调用；在此对应 { $cycle }。
+older-call = 带 R 参数的 { $word } 是 840C 的测量调用，现在是 { $cycle }。其参数：{ $names }。
 older-call-hint = 请转换程序，然后检查用户数据和机床数据，并重新校准测头。
-older-convert = 用 { $cycles } 和参数名代替 R 参数
+older-convert = 转换为 { $cycles }
 older-open-id = { $text }：这是进刀深度 _ID 吗？对于 { $cycles } 的这个测量方式，手册在同一 R 参数旁还印有 { $other }。
 older-open-sza = { $text }：这是保护区 _SZA 吗？对于 { $cycles } 的这个测量方式，手册在同一 R 参数旁还印有 { $other }。
 older-open-md = { $text }：这是测量方向 _MD 吗？对于 { $cycles } 的这个测量方式，手册在同一 R 参数旁还印有 { $other }。

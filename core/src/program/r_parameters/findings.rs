@@ -5,17 +5,19 @@ use super::edits::{edits, named, without};
 use super::{Assigned, Call, Older};
 use crate::diagnostic::{Diagnostic, Edit, Span};
 use crate::entry::names;
-use crate::message::Message;
+use crate::message::{Arg, Message};
 use crate::name::Name;
 use crate::own::{self, Own};
 use crate::syntax::Program;
+use std::collections::BTreeSet;
 
 /// What is to be said; the first call has the cure for all of them, as long as nothing is open.
 pub fn findings(program: &Program, older: &Older, found: &mut Vec<Diagnostic>) {
     let mut cure = Some(edits(program, older)).filter(|edits| !edits.is_empty());
     for call in &older.calls {
         let (name, cycle) = (program.name(call.name), call.cycle.name);
-        let finding = own::OLDER_CALL.finding().text("word", name).text("cycle", cycle).on(call.name);
+        let mut finding = own::OLDER_CALL.finding().text("word", name).text("cycle", cycle).on(call.name);
+        finding.message.args.push(("names", Arg::Text(meanings(older, call)))); // ours, however long
         found.push(match cure.take() {
             Some(edits) => finding.cured(Message::new("older-convert").text("cycles", of_calls(&older.calls)), edits),
             None => finding,
@@ -35,6 +37,18 @@ pub fn findings(program: &Program, older: &Older, found: &mut Vec<Diagnostic>) {
     if let Some(place) = older.unclear {
         found.push(own::OLDER_UNCLEAR.finding().text("text", program.written(place)).on(place));
     }
+}
+
+/// What each R parameter of a call is: `R23 = _MVAR, R19 = _ID / _SZA`; those that are nothing are told by themselves.
+fn meanings(older: &Older, call: &Call) -> String {
+    let named = |(number, places): (&u16, &Vec<usize>)| {
+        let reaching = places.iter().filter_map(|at| older.assigned.get(*at));
+        let names: BTreeSet<&str> =
+            reaching.flat_map(|one| one.names.iter().chain(&one.open)).map(|name| name.as_str()).collect();
+        let names: Vec<&str> = names.into_iter().collect();
+        (!names.is_empty()).then(|| format!("R{number} = {}", names.join(" / ")))
+    };
+    call.given.iter().filter_map(named).collect::<Vec<_>>().join(", ")
 }
 
 /// The question at an assignment, once for each answer, which is its cure. Each answer is a sentence of its own, so
