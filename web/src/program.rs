@@ -27,14 +27,14 @@ pub fn help(request: &str) -> Result<String, JsError> {
 #[wasm_bindgen]
 #[must_use]
 pub fn commissioning() -> String {
-    json::document(&app::commissioning())
+    json::text(&app::commissioning())
 }
 
 /// `TermsView`.
 #[wasm_bindgen]
 #[must_use]
 pub fn terms() -> String {
-    json::document(&app::terms())
+    json::text(&app::terms())
 }
 
 #[wasm_bindgen(inline_js = "
