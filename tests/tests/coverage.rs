@@ -102,7 +102,7 @@ fn served() -> Served {
     served
 }
 
-/// What serves the chapter itself; else what serves the chapters below it, or that with its subject in the later edition.
+/// What serves the chapter itself; else what serves the chapters below it, or in the later edition that on its subject.
 fn of<'a>(served: &'a Served, chapter: &Chapter) -> (Option<&'a BTreeSet<String>>, &'static str) {
     let own = served.get(&(chapter.manual, chapter.number));
     match own {

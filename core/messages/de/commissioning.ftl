@@ -1,5 +1,21 @@
 # Commissioning, step by step.
 
+commission-path-requirements = Voraussetzungen und Lieferung
+commission-requirements-hardware = Achsen und Messtaster
+commission-requirements-hardware-do = Die Achsen sind nach DIN 66217 zugeordnet. Der Messtaster schaltet bei Auslenkung: Mono-, Bidirektional- oder Multitaster.
+commission-requirements-jog = Messen in JOG
+commission-requirements-jog-do = Es läuft auf 840D sl und 840Di mit HMI Advanced (PCU 50), auf 840D und 810D mit HMI Advanced (PCU 50) oder MMC 103. HMI Embedded und MMC 100.2 haben es nicht.
+commission-requirements-supply = Lieferung der Zyklen
+commission-requirements-supply-do = Die Messzyklen kommen auf Disketten, in Ordnern und Archiven. Was sie enthalten, steht in SIEMENSD.TXT (deutsch) und SIEMENSE.TXT (englisch).
+commission-requirements-versions = Softwarestände
+commission-requirements-versions-do = Messzyklen ab SW 6.3 brauchen NCK SW 6.3 oder höher und MMC oder HMI SW 4.4 oder höher. Das PLC-Anwenderprogramm muss für die Signale des Messtasters nicht geändert werden.
+commission-requirements-options = Optionen
+commission-requirements-options-do = Im Automatikbetrieb brauchen 810D, 840D und 840Di keine Option, 840D sl braucht „Messzyklen“. Messen in JOG braucht auf allen „Betriebsartübergreifende Aktionen“.
+commission-requirements-folders = Ordner der Disketten
+commission-requirements-folders-do = cycles enthält die Zyklenprogramme, deu und eng darin die Anwenderzyklen mit Kommentaren; define die Definitionsdateien; demo Programme für die Simulation; jog_meas die Dateien für Messen in JOG; hmi_adv und hmi_emb die für die Bedientafel.
+commission-requirements-support-files = Dateien der Messzyklenunterstützung bis SW 5.4
+commission-requirements-support-files-do = cov.com projektiert die Softkeys zur Zyklenauswahl, sc.com die Eingabemasken. Die Hilfszyklen übernehmen die Parameter und rufen den Messzyklus auf. MCSUPP_1.COM und MCSUPP_2.COM enthalten sie.
+
 commission-path-common = Vor jedem Weg: Archiv, Kennwort, Speicher, Maschinendaten
 commission-common-0-0 = Voraussetzungen
 commission-common-0-0-do = Hardware und Software mit den Voraussetzungen des Messzyklenstands vergleichen und den Funktionstest des Messtasters ausführen. Vor jeder Änderung den vorhandenen Stand als Serieninbetriebnahme archivieren. Mit ShopMill oder ShopTurn zuerst SIEMENSD.TXT oder SIEMENSE.TXT der Lieferung lesen.

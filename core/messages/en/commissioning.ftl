@@ -1,5 +1,21 @@
 # Commissioning, step by step.
 
+commission-path-requirements = Requirements and delivery
+commission-requirements-hardware = Axes and probes
+commission-requirements-hardware-do = The axes are assigned as in DIN 66217. The probe is a touch-trigger probe: mono, bidirectional or multi.
+commission-requirements-jog = Measuring in JOG
+commission-requirements-jog-do = It runs on 840D sl and 840Di with HMI Advanced (PCU 50), on 840D and 810D with HMI Advanced (PCU 50) or MMC 103. HMI Embedded and MMC 100.2 do not have it.
+commission-requirements-supply = How the cycles are delivered
+commission-requirements-supply-do = The measuring cycles come on diskettes, in folders and archives. SIEMENSD.TXT (German) and SIEMENSE.TXT (English) say what each contains.
+commission-requirements-versions = Software versions
+commission-requirements-versions-do = Measuring cycles from SW 6.3 need NCK SW 6.3 or later and MMC or HMI SW 4.4 or later. The PLC user program needs no change for the probe signals.
+commission-requirements-options = Options
+commission-requirements-options-do = In automatic mode 810D, 840D and 840Di need no option, 840D sl needs “Measuring cycles”. Measuring in JOG needs “Inter-modal actions” on all of them.
+commission-requirements-folders = Folders of the diskettes
+commission-requirements-folders-do = cycles has the cycle programs, its deu and eng the user cycles with comments; define the definition files; demo programs for simulation; jog_meas the files for measuring in JOG; hmi_adv and hmi_emb those for the operator panel.
+commission-requirements-support-files = Files of the program editor support up to SW 5.4
+commission-requirements-support-files-do = cov.com configures the softkeys that select a cycle, sc.com the input screens. The auxiliary cycles take the parameters and call the measuring cycle. MCSUPP_1.COM and MCSUPP_2.COM contain them.
+
 commission-path-common = Before all paths: archive, password, memory, machine data
 commission-common-0-0 = Requirements
 commission-common-0-0-do = Compare hardware and software with the requirements of the measuring cycle version and run the function test of the probe. Archive the present state as a series start-up archive before changing anything. With ShopMill or ShopTurn, first read SIEMENSD.TXT or SIEMENSE.TXT of the delivery.

@@ -1,5 +1,21 @@
 # Commissioning, step by step.
 
+commission-path-requirements = 前提条件与供货
+commission-requirements-hardware = 坐标轴和测头
+commission-requirements-hardware-do = 坐标轴按 DIN 66217 分配。测头为触发式测头：单向、双向或多向。
+commission-requirements-jog = JOG 方式下的测量
+commission-requirements-jog-do = 840D sl 和 840Di 配 HMI Advanced（PCU 50），840D 和 810D 配 HMI Advanced（PCU 50）或 MMC 103 时可用。HMI Embedded 和 MMC 100.2 不具备此功能。
+commission-requirements-supply = 循环的供货方式
+commission-requirements-supply-do = 测量循环以软盘供货，分为文件夹和存档。各自的内容见 SIEMENSD.TXT（德文）和 SIEMENSE.TXT（英文）。
+commission-requirements-versions = 软件版本
+commission-requirements-versions-do = SW 6.3 起的测量循环需要 NCK SW 6.3 或更高版本，以及 MMC 或 HMI SW 4.4 或更高版本。测头信号不需要修改 PLC 用户程序。
+commission-requirements-options = 选件
+commission-requirements-options-do = 自动方式下 810D、840D、840Di 不需要选件，840D sl 需要“测量循环”选件。JOG 方式下的测量在所有系统上都需要“跨运行方式动作”选件。
+commission-requirements-folders = 软盘的文件夹
+commission-requirements-folders-do = cycles 为循环程序，其中 deu 和 eng 为带注释的用户循环；define 为定义文件；demo 为用于模拟的程序；jog_meas 为 JOG 测量的文件；hmi_adv 和 hmi_emb 为操作面板的文件。
+commission-requirements-support-files = SW 5.4 及以前程序编辑器支持的文件
+commission-requirements-support-files-do = cov.com 配置选择循环的软键，sc.com 配置输入屏幕。辅助循环接收参数并调用测量循环。MCSUPP_1.COM 和 MCSUPP_2.COM 包含这些文件。
+
 commission-path-common = 所有路径之前：存档、口令、存储器、机床数据
 commission-common-0-0 = 前提条件
 commission-common-0-0-do = 核对硬件和软件是否满足测量循环版本的要求，并进行测头功能测试。更改任何内容之前，将当前状态保存为批量调试存档。装有 ShopMill 或 ShopTurn 时，先阅读交货软件中的 SIEMENSD.TXT 或 SIEMENSE.TXT。

@@ -7,8 +7,8 @@ use crate::diagnostic::Code;
 use Found::{Both, Check, Nowhere, Run};
 use Waits::{Always, BeforeRepetition, Never, WithCbit2, WithCbit2OrBeforeRepetition};
 
-/// An alarm or message. Those from 61000 to 61999 end the cycle and wait for NC RESET, those from 62000 to 62999 are only
-/// shown and cleared by a key (B:15225-15236); what they mean is listed at B:15242.
+/// An alarm or message. Those from 61000 to 61999 end the cycle and wait for NC RESET, those from 62000 to 62999 are
+/// only shown and cleared by a key (B:15225-15236); what they mean is listed at B:15242.
 pub struct Alarm {
     /// Number, or text of the message.
     pub code: Code,

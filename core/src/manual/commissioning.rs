@@ -1,4 +1,4 @@
-//! How measuring cycles come to a machine: the steps of commissioning and upgrade by the sort of operator panel, and the
+//! How measuring cycles come to a machine: the steps of commissioning and upgrade by operator panel, and the
 //! connections of probes. Their words are messages: `commission-…`, its `-do`, `-if` and `-check`; `connection-…`.
 
 use super::Cited;

@@ -1,4 +1,4 @@
-//! The steps of commissioning and the connections of probes: their page in `docs/`, and what the terminal prints of a way.
+//! The steps of commissioning and the connections of probes: their page in `docs/`, and what the terminal prints.
 
 use super::markdown::{line, table};
 use crate::app::{CommissioningPath, CommissioningStep, CommissioningView, ConnectionView, commissioning};

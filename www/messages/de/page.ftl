@@ -97,7 +97,8 @@ tasks-none = Nichts gefunden für „{ $search }“. Anderes Wort oder die Numme
 form-opened = Bearbeitet { $cycle } im Programm, Zeile { $from } bis { $to }
 form-opened-line = Bearbeitet { $cycle } im Programm, Zeile { $line }
 explain-more = Mehr
-explain-concept = Konzept erklären
+explain-concept = Konzept
+explain-concept-hint = Konzept erklären
 explain-less = Weniger
 
 help-open = Hilfe
@@ -1004,7 +1005,7 @@ machine-values-where = Gelesen in
 # Concepts and terms of the manuals.
 terms-title = Begriffe und Konzepte
 terms-search = Begriffe und Konzepte suchen
-terms-search-hint = Schaltpunkt, Mittelwert, _FA
+terms-search-hint = Schaltpunkt, Mittelwert, Bremsweg
 terms-list = Begriffe
 terms-none = Kein Begriff und kein Konzept enthält diese Wörter.
 

@@ -97,7 +97,8 @@ tasks-none = Nothing found for “{ $search }”. Try another word, or a cycle o
 form-opened = Edits { $cycle } in the program, lines { $from } to { $to }
 form-opened-line = Edits { $cycle } in the program, line { $line }
 explain-more = More
-explain-concept = Explain the concept
+explain-concept = Concept
+explain-concept-hint = Explain the concept
 explain-less = Less
 
 help-open = Help
@@ -986,7 +987,7 @@ machine-values-where = Used in
 # Concepts and terms of the manuals.
 terms-title = Concepts and terms
 terms-search = Search concepts and terms
-terms-search-hint = Trigger point, mean value, _FA
+terms-search-hint = Trigger point, mean value, braking path
 terms-list = Terms
 terms-none = No concept or term has these words.
 

@@ -97,7 +97,8 @@ tasks-none = 没有找到“{ $search }”。请换一个词，或输入循环�
 form-opened = 正在编辑程序中的 { $cycle }，第 { $from } 到 { $to } 行
 form-opened-line = 正在编辑程序中的 { $cycle }，第 { $line } 行
 explain-more = 展开
-explain-concept = 说明这一概念
+explain-concept = 概念
+explain-concept-hint = 说明这一概念
 explain-less = 收起
 
 help-open = 帮助
@@ -948,7 +949,7 @@ machine-values-where = 使用处
 # Concepts and terms of the manuals.
 terms-title = 概念与术语
 terms-search = 搜索概念与术语
-terms-search-hint = 触发点、平均值、_FA
+terms-search-hint = 触发点、平均值、制动距离
 terms-list = 术语
 terms-none = 没有包含这些词的概念或术语。
 

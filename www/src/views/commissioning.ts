@@ -21,9 +21,10 @@ function line(key: string, text: string, code: boolean): TemplateResult | typeof
 function item(step: CommissioningStep, done: boolean, turn: Turn): TemplateResult {
   const { id, number, title, action, condition, check, softkeys, files, versions, source } = step;
   const turned = (event: Event): void => turn(id, (event.target as HTMLInputElement).checked);
+  const name = `${number} ${say(title)}`.trim();
   return html`<li class="term">
     <label class="check"
-      ><input type="checkbox" .checked=${live(done)} @change=${turned} /> <b>${`${number} ${say(title)}`.trim()}</b></label
+      ><input type="checkbox" .checked=${live(done)} @change=${turned} /> <b>${name}</b></label
     >
     ${condition ? line("steps-if", say(condition), false) : nothing}
     <p>${say(action)}</p>
@@ -36,7 +37,7 @@ function item(step: CommissioningStep, done: boolean, turn: Turn): TemplateResul
 function list({ steps }: CommissioningPath, done: Record<string, boolean>, turn: Turn): TemplateResult {
   const count = steps.filter(({ id }) => done[id]).length;
   return html`<p role="status">${t("steps-done", { done: count, all: steps.length })}</p>
-    <ul class="steps">
+    <ul class="commission-steps">
       ${steps.map(step => item(step, done[step.id] ?? false, turn))}
     </ul>`;
 }

@@ -72,7 +72,8 @@ pub fn certainty_of(asked: WholeCertaintyRequest, told: &mut dyn FnMut(f64)) -> 
     Ok(whole_certainty(&prepared(request)?, runs, seed, told))
 }
 
-/// Carries out a program as often, 400 times where that is absent. `seed`: absent that of its machine; `told`: hears which share is done.
+/// Carries out a program as often, 400 times where that is absent. `seed`: absent that of its machine; `told`: hears
+/// which share is done.
 pub fn whole_certainty(
     prepared: &Prepared,
     runs: Option<u32>,

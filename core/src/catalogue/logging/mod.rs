@@ -1,5 +1,5 @@
-//! The log of measurements (chapter 7.1: B:11172-11638): what CYCLE100, CYCLE105 and CYCLE106 share. They take what is
-//! printed and how from user data that a program writes before the call.
+//! The log of measurements (chapter 7.1: B:11172-11638): what CYCLE100, CYCLE105 and CYCLE106 share (B:11178). They
+//! take what is printed and how from user data that a program writes before the call.
 
 pub mod cells;
 mod checks;
