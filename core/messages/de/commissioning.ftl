@@ -151,7 +151,7 @@ commission-adv-new-6 = Messzyklendaten
 commission-adv-new-6-do = Vorbesetzung der Anwenderdaten prüfen und ändern, was diese Maschine braucht: von Hand in den Anwenderdaten oder mit einem Programm, das die Werte zuweist.
 commission-adv-new-6-check = Die Prüfung der Anwenderdaten findet keinen Fehler.
 
-commission-path-emb-pcu20 = HMI Embedded PCU20 powerline
+commission-path-emb-pcu20 = HMI Embedded mit PCU20 powerline
 commission-emb-pcu20-0 = Voraussetzung
 commission-emb-pcu20-0-do = Zuerst die Schritte 0.1 und 0.2 ausführen; Messen in JOG ist bei HMI Embedded nicht möglich. Ab HMI 06.03.30 sind die Zyklen Teil der HMI-Software, und die Schritte 1 bis 5 genügen. Die Schritte 6 bis 10 sind nur nötig, wenn das HMI noch keinen Zyklenstand enthält oder hochgerüstet wird.
 commission-emb-pcu20-1 = Definitionsdateien

@@ -102,3 +102,6 @@ equip-l1-wear = Verschleiß L1
 equip-l2-wear = Verschleiß L2
 equip-l3-wear = Verschleiß L3
 equip-radius-wear = Verschleiß Radius
+equip-clock = Datum und Uhrzeit, zu der ein Lauf beginnt
+equip-moment = „{ $text }“ ist kein Datum mit Uhrzeit.
+equip-moment-hint = Eingabe wie 2026-05-31 08:00:00; leer: der Vorgabewert, 2000-01-01.

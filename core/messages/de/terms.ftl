@@ -3,7 +3,7 @@
 term-actual-set-difference = Soll-Ist-Differenz
 term-actual-set-difference-is = Istwert minus Sollwert; in den Formeln der Handbücher D. Mit ihr vergleicht der Zyklus die Grenzwerte, aus ihr berechnet er die Korrektur; ein Erfahrungswert ist bereits eingerechnet.
 term-additive-offset = Summenkorrektur (DL)
-term-additive-offset-is = Korrektur einer D-Nummer für einen Einsatzort des Werkzeugs, zusätzlich zu Geometrie und Verschleiß; sie verhält sich zur Einrichtekorrektur wie der Verschleiß zur Geometrie. _KNUM wählt sie (7. Stelle 1 oder 3, bei 5-stelligen D-Nummern 9. Stelle), _DLNUM ist ihre Nummer; mit _CHBIT[6]=0 und _CHBIT[8]=0 addiert der Zyklus die Korrektur dazu.
+term-additive-offset-is = Korrektur einer D-Nummer für einen Einsatzort des Werkzeugs, zusätzlich zu Geometrie und Verschleiß; sie verhält sich zur Einrichtekorrektur wie der Verschleiß zur Geometrie. _KNUM wählt sie (7. Stelle: 1 oder 3, bei 5-stelligen D-Nummern 9. Stelle), _DLNUM ist ihre Nummer; mit _CHBIT[6]=0 und _CHBIT[8]=0 addiert der Zyklus die Korrektur dazu.
 term-asynchronous-subroutine = Asynchrones Unterprogramm (ASUP)
 term-asynchronous-subroutine-is = Programm, das ein Interruptsignal jederzeit starten kann, unabhängig vom laufenden Programm. Messen in JOG läuft als ASUP: Nötig sind die Option „Betriebsartübergreifende Aktionen“, Bit 0 in MD 11602 und die Interruptnummer 9 (vor PLC SW 6.1: 8), die sonst niemand verwenden darf.
 term-automatic-tool-offset = Automatische Werkzeugkorrektur

@@ -147,7 +147,7 @@ concept-group-calibration = Calibration
 concept-calibration = Calibration
 concept-calibration-1 = A probe does not switch exactly where it touches. Calibration finds out where it does, on a body of known size, and the cycles take it into account.
 concept-calibration-2 = For a workpiece probe it yields trigger points, skew and active ball diameter, stored in _WP; for a tool probe trigger points, stored in _TP or _TPW.
-concept-calibration-3 = As delivered there is room for the data of 3 probes, 99 are possible. _PRNUM selects the data.
+concept-calibration-3 = By default there is room for the data of 3 probes, 99 are possible. _PRNUM selects the data.
 concept-calibration-4 = Calibrate and measure at the same feed and under the same conditions. The delay of the signal then cancels out.
 concept-calibration-5 = Calibrate before the first use, and again after a new stylus, a collision, a new feed or a new clamping of the probe.
 concept-calibration-6 = Usual mistake: at the first calibration the data in _WP are still 0. _TSA must then be larger than the ball radius, else alarm 61303 stops the cycle.
@@ -156,7 +156,7 @@ concept-calibration-bodies = Calibration bodies
 concept-calibration-bodies-1 = A calibration body has a known place or size. The probe touches it, and the difference shows how the probe switches.
 concept-calibration-bodies-2 = On a mill CYCLE976 uses a hole or ring gauge of known diameter, or a surface of true form with low roughness. No special gauging block is needed.
 concept-calibration-bodies-3 = On a lathe CYCLE973 usually works in reference grooves fixed in the machine, or on a known surface. Place and size of the grooves are in _KB.
-concept-calibration-bodies-4 = _CALNUM selects the pair of grooves; 3 sets are delivered. A tool probe is calibrated with a calibration tool instead.
+concept-calibration-bodies-4 = _CALNUM selects the pair of grooves; by default there are 3 sets. A tool probe is calibrated with a calibration tool instead.
 concept-calibration-bodies-5 = Usual mistake: the size entered is not the true one. Half of an error in the ring diameter goes into each trigger point: 0.01 mm for an error of 0.02 mm.
 
 concept-tool-probe-data = Tool probe data before calibration
@@ -284,7 +284,7 @@ concept-protection-zone-5 = Usual mistake: the zone is as large as the element. 
 concept-collision-monitoring = Collision monitoring
 concept-collision-monitoring-1 = Between the touches a cycle moves to intermediate positions. With _CHBIT[2]=1 it watches the signal of the probe on the way.
 concept-collision-monitoring-2 = If the probe touches something there, the axes stop and alarm 61302 is output. Probe and part are usually saved.
-concept-collision-monitoring-3 = The monitored moves run at _SPEED[1] in the plane and _SPEED[2] in the infeed axis, 1000 mm/min as delivered. Without monitoring _SPEED[0] applies, in percent of rapid traverse.
+concept-collision-monitoring-3 = The monitored moves run at _SPEED[1] in the plane and _SPEED[2] in the infeed axis, 1000 mm/min by default. Without monitoring _SPEED[0] applies, in percent of rapid traverse.
 concept-collision-monitoring-4 = At 1000 mm/min an axis with 1 m/s², 16 ms and a servo gain of 1 needs 1.4 mm to stop. The probe must be able to be deflected that far.
 concept-collision-monitoring-5 = Usual mistake: trusting it in your own blocks. It acts inside the cycle only; the way to the start position is yours.
 
@@ -328,7 +328,7 @@ concept-overview-milling-2 = CYCLE978 measures one point of a surface. CYCLE977 
 concept-overview-milling-3 = CYCLE979 measures hole, shaft, groove and web at an angle, circles from three or four points.
 concept-overview-milling-4 = CYCLE998 measures the angle of a surface, in space too. CYCLE961 finds a corner, CYCLE997 one sphere or three.
 concept-overview-milling-5 = CYCLE977, CYCLE978 and CYCLE979 correct a tool or a zero offset, the last three a zero offset only.
-concept-overview-milling-6 = Usual mistake: CYCLE977 for a groove that is not parallel to an axis. The width comes out too large; use CYCLE979 or align the part first.
+concept-overview-milling-6 = Usual mistake: CYCLE977 for a groove that is not parallel to an axis. The result is wider than the groove; use CYCLE979 or align the part first.
 
 concept-overview-turning = Tasks on lathes
 concept-overview-turning-1 = Calibrate first: CYCLE973 calibrates the workpiece probe in a reference groove or on a surface, CYCLE982 the tool probe.

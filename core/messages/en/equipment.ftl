@@ -102,3 +102,6 @@ equip-l1-wear = Wear L1
 equip-l2-wear = Wear L2
 equip-l3-wear = Wear L3
 equip-radius-wear = Radius wear
+equip-clock = Date and time at which a run begins
+equip-moment = “{ $text }” is not a date with time.
+equip-moment-hint = Enter it as 2026-05-31 08:00:00; empty: the default, 2000-01-01.

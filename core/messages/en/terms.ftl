@@ -3,7 +3,7 @@
 term-actual-set-difference = Actual/set difference
 term-actual-set-difference-is = Measured value minus setpoint; in the formulas of the manuals it is D. The limits are compared with it, and the correction is calculated from it; an empirical value is already included.
 term-additive-offset = Additive offset (DL)
-term-additive-offset-is = Offset of a D number for one place of use of the tool, effective on top of geometry and wear; it relates to the setup offset as wear does to geometry. _KNUM selects it (7th digit 1 or 3; with 5-digit D numbers the 9th), _DLNUM is its number; with _CHBIT[6]=0 and _CHBIT[8]=0 the cycle adds the correction to it.
+term-additive-offset-is = Offset of a D number for one place of use of the tool, effective on top of geometry and wear; it relates to the setup offset as wear does to geometry. _KNUM selects it (7th digit: 1 or 3; with 5-digit D numbers the 9th), _DLNUM is its number; with _CHBIT[6]=0 and _CHBIT[8]=0 the cycle adds the correction to it.
 term-asynchronous-subroutine = Asynchronous subroutine (ASUB)
 term-asynchronous-subroutine-is = Program that an interrupt signal can start at any time, whatever the control is executing. Measuring in JOG runs as an ASUB: it needs the option “Inter-modal actions”, bit 0 of MD 11602, and interrupt number 9 (8 before PLC SW 6.1), which nothing else may use.
 term-automatic-tool-offset = Automatic tool offset

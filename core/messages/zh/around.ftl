@@ -84,7 +84,7 @@ around-text-rework = 返工后仍超差
 around-text-breakage = 刀具和备用刀均破损
 around-text-stop = 测量值超过极限
 
-around-wrong-missing = 请输入数值。
+around-wrong-missing = 请填写此项。
 around-wrong-choice = 该调用没有结果 { $value }。
 around-wrong-limit = { $value } 不是极限：输入不小于 0 的数。
 around-wrong-whole = 输入 { $min } 到 { $max } 的整数。

@@ -151,7 +151,7 @@ commission-adv-new-6 = 测量循环数据
 commission-adv-new-6-do = 检查用户数据的默认值，按机床需要更改：在用户数据中手动更改，或用赋值程序。
 commission-adv-new-6-check = 用户数据检查未发现错误。
 
-commission-path-emb-pcu20 = HMI Embedded PCU20 powerline
+commission-path-emb-pcu20 = HMI Embedded，PCU20 powerline
 commission-emb-pcu20-0 = 前提条件
 commission-emb-pcu20-0-do = 先完成步骤 0.1 和 0.2；HMI Embedded 不支持 JOG 测量。从 HMI 06.03.30 起，循环已包含在 HMI 软件中，只需步骤 1 至 5。仅当 HMI 尚不含循环版本或需要升级时，才执行步骤 6 至 10。
 commission-emb-pcu20-1 = 定义文件

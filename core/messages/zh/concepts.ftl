@@ -110,7 +110,7 @@ concept-mono-probe-5 = 常见错误：输入了 _CORA，但 _CBIT[8] 为 0。触
 concept-signal-transmission = 信号传送
 concept-signal-transmission-1 = 测头信号从主轴传到机床立柱上的接收器：通过无线电、红外线或电缆。
 concept-signal-transmission-2 = 有些型号只在特定的主轴位置或范围内能传送。以测头或机床制造商的说明为准。
-concept-signal-transmission-3 = 使用单向测头、换向以及 _CHBIT[13]=1 且坐标系旋转时，循环会转动主轴。在这些位置信号也必须能传到。
+concept-signal-transmission-3 = 使用单向测头、换向以及 _CHBIT[13]=1 且坐标系旋转时，循环会转动主轴。在这些角度上也必须能传输信号。
 concept-signal-transmission-4 = 常见错误：手动触发正常，在工件深处却没有信号。没有信号时轴走到测量程序段终点，随后报警 61301。
 
 concept-group-tools = 作为刀具的测头和校准刀具
@@ -284,7 +284,7 @@ concept-protection-zone-5 = 常见错误：保护区与被测要素一样大。�
 concept-collision-monitoring = 碰撞监控
 concept-collision-monitoring-1 = 两次触碰之间循环移到中间位置。_CHBIT[2]=1 时，途中监控测头信号。
 concept-collision-monitoring-2 = 途中测头碰到物体时，各轴停止并报警 61302。测头和工件通常不会损坏。
-concept-collision-monitoring-3 = 有监控时，平面内用 _SPEED[1]，进刀轴用 _SPEED[2]，出厂值为 1000 mm/min。无监控时用 _SPEED[0]，为快速移动的百分比。
+concept-collision-monitoring-3 = 有监控时，平面内用 _SPEED[1]，进刀轴用 _SPEED[2]，默认值为 1000 mm/min。无监控时用 _SPEED[0]，为快速移动的百分比。
 concept-collision-monitoring-4 = 1000 mm/min 时，加速度 1 m/s²、16 ms、伺服增益 1 的轴需要 1.4 mm 才能停下。测头的允许偏转量必须不小于此值。
 concept-collision-monitoring-5 = 常见错误：在自己编写的程序段中依赖它。它只在循环内起作用，调用前到起点的路径不受监控。
 

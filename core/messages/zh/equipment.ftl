@@ -102,3 +102,6 @@ equip-l1-wear = L1 磨损
 equip-l2-wear = L2 磨损
 equip-l3-wear = L3 磨损
 equip-radius-wear = 半径磨损
+equip-clock = 运行开始的日期和时间
+equip-moment = “{ $text }”不是日期和时间。
+equip-moment-hint = 请按 2026-05-31 08:00:00 的格式输入；留空：默认值 2000-01-01。

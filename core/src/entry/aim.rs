@@ -1,6 +1,6 @@
 //! How a variant is found by who knows what to measure and not its number: the element that is measured, what is
-//! corrected, and what is left to choose. So the manual shows its functions: for milling (B:1427, B:1450, B:1460, B:1489,
-//! B:1546, B:1566, B:1585), for turning (B:1617, B:1639, B:1650).
+//! corrected, and what is left to choose. So the manual shows its functions: for milling (B:1427, B:1450, B:1460,
+//! B:1489, B:1546, B:1566, B:1585), for turning (B:1617, B:1639, B:1650).
 
 use super::{Cycle, Inputs, Kind, Typed, When};
 use crate::control::MachineSort;

@@ -69,6 +69,12 @@ pub fn share_error(share: f64, runs: usize) -> f64 {
     (share * (1.0 - share) / runs.max(1) as f64).sqrt()
 }
 
+/// How uncertain a share is: its standard error; of what was always or never seen, how much it may be off with 95 %
+/// confidence.
+pub fn share_doubt(share: f64, runs: usize) -> f64 {
+    if share > 0.0 && share < 1.0 { share_error(share, runs) } else { unseen(runs) }
+}
+
 /// The largest share, with 95 % confidence, of what was not seen once in so many runs: `1 − 0.05^(1/N)`.
 pub fn unseen(runs: usize) -> f64 {
     1.0 - 0.05f64.powf(1.0 / runs.max(1) as f64)

@@ -879,6 +879,7 @@ command-convert-all = { $count ->
 command-panel = Gehe zu: { $panel }
 command-run-form = Diesen Aufruf simulieren
 command-run-program = Ganzes Programm simulieren
+command-measurements = Messungen des Programms: Protokoll, Unsicherheit, Serie, Messergebnisbilder, Werte der realen Maschine
 command-print = Drucken
 keys-page-palette = Suchen oder Befehl ausführen
 # Sections of the form.

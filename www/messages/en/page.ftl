@@ -864,6 +864,7 @@ command-convert-all = { $count ->
 command-panel = Go to: { $panel }
 command-run-form = Simulate this call
 command-run-program = Simulate the whole program
+command-measurements = Measurements of the program: record, certainty, series, result screens, values of the real machine
 command-print = Print
 keys-page-palette = Search or run anything
 # Sections of the form.

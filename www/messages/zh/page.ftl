@@ -832,6 +832,7 @@ command-convert-all = 将全部 { $count } 个调用转换为“{ $way }”…
 command-panel = 转到：{ $panel }
 command-run-form = 模拟此调用
 command-run-program = 模拟整个程序
+command-measurements = 程序的测量：记录、不确定度、系列、测量结果画面、实际机床的值
 command-print = 打印
 keys-page-palette = 搜索或执行任何操作
 # Sections of the form.

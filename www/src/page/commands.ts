@@ -124,6 +124,14 @@ function ofView(
           actions.panel("view");
         },
       })),
+    {
+      id: "measurements",
+      title: t("command-measurements"),
+      run: () => {
+        store.update({ view: { source: "program" }, panels: { tab: "outcome" } });
+        actions.panel("results");
+      },
+    },
     { id: "help", title: t("help-open"), run: actions.help },
     { id: "terms", title: t("terms-title"), run: () => does.terms() },
     { id: "machine", title: t("profile-edit"), run: does.machine },

@@ -16,7 +16,7 @@ use crate::message::Message;
 use crate::run::Outcome;
 use crate::series::capability::capability;
 use crate::series::decide::Limits;
-use crate::series::spread::{Spread, share_error};
+use crate::series::spread::{Spread, share_doubt};
 
 /// Most calls of a program whose results are kept: a loop may have any number.
 const CALLS: usize = 1000;
@@ -91,7 +91,7 @@ impl Collected {
         let runs = self.runs;
         let alarm = |(raised, count): (Raised, usize)| {
             let share = share(count, runs);
-            SeriesAlarm { raised, count, share, error: share_error(share, runs) }
+            SeriesAlarm { raised, count, share, error: share_doubt(share, runs) }
         };
         SeriesView {
             runs: runs as u32,
@@ -168,7 +168,7 @@ impl Call {
     fn view(self, runs: usize) -> SeriesCall {
         let verdict = |(verdict, words, count): (Verdict, Message, usize)| {
             let share = share(count, runs);
-            SeriesShare { verdict, words, count, share, error: share_error(share, runs) }
+            SeriesShare { verdict, words, count, share, error: share_doubt(share, runs) }
         };
         let corrected = |mut one: Corrected| {
             let spread = SeriesSpread::from(&Spread::of(one.by));

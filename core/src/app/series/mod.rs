@@ -90,7 +90,7 @@ pub struct SeriesShare {
     pub count: usize,
     /// Share of all runs.
     pub share: f64,
-    /// Standard error of this share.
+    /// Standard error of this share; of all or none of the runs: how much it may be off with 95 % confidence.
     pub error: f64,
 }
 
@@ -181,7 +181,7 @@ pub struct SeriesAlarm {
     pub count: usize,
     /// Share of all runs.
     pub share: f64,
-    /// Standard error of this share.
+    /// Standard error of this share; of all or none of the runs: how much it may be off with 95 % confidence.
     pub error: f64,
 }
 

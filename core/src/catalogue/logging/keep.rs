@@ -167,9 +167,11 @@ fn room(machine: &mut dyn Machine, state: &State) -> usize {
 fn follow(machine: &mut dyn Machine, state: &mut State) -> bool {
     if !state.full() {
         state.number += 1;
+        if state.full() {
+            machine.record(Step::Message { text: LOG_NAME.to_owned() });
+        }
     }
     if state.full() {
-        machine.record(Step::Message { text: LOG_NAME.to_owned() });
         machine.record(Step::Decision { message: Message::new("evaluate-log-full").text("file", &state.log) });
         return false;
     }

@@ -4,6 +4,7 @@ use super::slot::{Held, Slot};
 use crate::control::machine_data::TOOL_LENGTH_TYPE;
 use crate::control::{AS_TURNING_TOOL, Control, Plane, Transverse};
 use crate::machine::Setup;
+use crate::machine::clock::Clock;
 use crate::machine::temperature::Temperature;
 use crate::range::Range;
 use crate::workpiece::Probe;
@@ -24,6 +25,7 @@ pub(super) struct Machine {
     turret: [f64; 2],
     position: [f64; 3],
     temperature: Temperature,
+    clock: Clock,
 }
 
 const TRANSVERSE: [Transverse; 3] = [Transverse::Radius, Transverse::Diameter, Transverse::AbsoluteDiameter];
@@ -48,6 +50,7 @@ impl Machine {
             turret: [setup.turret.diameter, setup.turret.width],
             position: setup.position.0,
             temperature: setup.temperature,
+            clock: setup.clock,
         }
     }
 
@@ -76,6 +79,7 @@ impl Machine {
         let Temperature { spread, expansion } = &mut self.temperature;
         all.push(Slot::new("equip-temperature", Held::Plain(spread)).within(Range::NOT_NEGATIVE));
         all.push(Slot::new("equip-expansion", Held::Plain(expansion)));
+        all.push(Slot::new("equip-clock", Held::Moment(&mut self.clock)));
         all
     }
 
@@ -92,6 +96,7 @@ impl Machine {
         [setup.turret.diameter, setup.turret.width] = self.turret;
         setup.position.0 = self.position;
         setup.temperature = self.temperature;
+        setup.clock = self.clock;
         if self.sort != turned {
             become_of_sort(control, self.sort == 1);
         }

@@ -3,7 +3,9 @@
 use crate::control::{Control, Units, Value};
 use crate::form::machine::{Entry, Refusal, Setting, accept};
 use crate::geometry::Degrees;
+use crate::machine::clock::Clock;
 use crate::manual::Cited;
+use crate::message::{Message, printable};
 use crate::range::Range;
 use serde::Serialize;
 
@@ -33,6 +35,8 @@ pub(super) enum Held<'a> {
     Whole(&'a mut i64),
     Choice(&'a mut i64, &'static [i64]),
     Text(&'a mut String),
+    /// Empty: as delivered.
+    Moment(&'a mut Clock),
 }
 
 /// A field that can be read and written.
@@ -67,7 +71,7 @@ impl<'a> Slot<'a> {
             Held::Plain(_) => (Entry::Real, ""),
             Held::Whole(_) => (Entry::Integer, ""),
             Held::Choice(_, choices) => (Entry::Choice { choices }, ""),
-            Held::Text(_) => (Entry::Text, ""),
+            Held::Text(_) | Held::Moment(_) => (Entry::Text, ""),
         };
         let (name, key) = (self.key.to_owned(), self.key.to_owned());
         let (range, source) = (self.range, Cited(self.source));
@@ -85,6 +89,8 @@ impl<'a> Slot<'a> {
             Held::Plain(value) | Held::Degree(value) => plain(**value),
             Held::Whole(value) | Held::Choice(value, _) => value.to_string(),
             Held::Text(text) => (**text).clone(),
+            Held::Moment(clock) if **clock == Clock::default() => String::new(),
+            Held::Moment(clock) => clock.to_string(),
         };
         Cell { setting: self.setting(control), value }
     }
@@ -96,6 +102,11 @@ impl<'a> Slot<'a> {
         let empty = text.trim().is_empty();
         if let (Held::Limit(limit), true) = (&mut self.held, empty) {
             **limit = None;
+            return Ok(());
+        }
+        if let Held::Moment(clock) = &mut self.held {
+            let wrong = |_| Refusal::new(Message::new("equip-moment").text("text", printable(text)));
+            **clock = if empty { Clock::default() } else { text.parse().map_err(wrong)? };
             return Ok(());
         }
         let text = match &self.held {
