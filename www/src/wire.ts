@@ -574,6 +574,40 @@ export type Cited = string;
 /** Where a problem is named. */
 export type Code = string;
 
+/** A column of a text. */
+export type Column = {
+  /** As it stands there. */
+  text: string,
+  /** What it shows. */
+  label: Message,
+  /** The whole text, as typed, without it. */
+  without: string,
+};
+
+/** A column that can be added. */
+export type ColumnOffer = {
+  /** As it is written; empty: what is typed then. */
+  text: string,
+  /** What it shows. */
+  label: Message,
+};
+
+/** The columns of a text. */
+export type Columns = {
+  /** Those in it, in their order. */
+  list: Array<Column>,
+  /** The text, as typed, up to where a further column is written: its separator is there. */
+  before: string,
+  /** What stands behind that. */
+  after: string,
+  /** What can be added. */
+  offers: Array<ColumnOffer>,
+  /** The lines that are printed, with the values of the last measurement or of an example. */
+  printed: Array<string>,
+  /** Values that do not fit their columns. */
+  narrow: Array<Message>,
+};
+
 /** A way to commission. */
 export type CommissioningPath = {
   /** By which it is known. */
@@ -1181,7 +1215,10 @@ export type Field = {
 } | { "kind": "digits",
   /** Digits that mean something of their own. */
   digits: Array<DigitGroup>,
-} | { "kind": "text" });
+} | { "kind": "text",
+  /** Where it lists columns: these. */
+  columns?: Columns,
+});
 
 /** A quantity that was measured. */
 export type Figure = {

@@ -99,3 +99,16 @@ check-log-long = Die Zeile hat { $total } Zeichen; im Protokoll sind höchstens 
 check-log-long-hint = Spaltenbreite verringern oder weniger Werte pro Zeile protokollieren.
 check-log-longer = Die Zeile hat { $total } Zeichen, zulässig sind aber nur { $most }.
 check-log-longer-hint = Wert „Zeichen pro Zeile“ erhöhen oder Spaltenbreite verringern.
+
+log-column-time = Uhrzeit
+log-column-axis = Messachse, { "_MA" }
+log-column-axis-place = { $place ->
+    [1] Abszisse
+    [2] Ordinate
+   *[other] Applikate
+ }, Achsname
+log-column-text = Text { $text }
+log-column-number = R-Parameter { $text }
+log-column-comment = Text „{ $text }“
+log-column-unknown = { $text }: nicht protokollierbar
+log-column-free = Freier Text

@@ -99,3 +99,16 @@ check-log-long = The line has { $total } characters; the log permits at most { $
 check-log-long-hint = Reduce the column widths, or log fewer values per line.
 check-log-longer = The line has { $total } characters, but only { $most } are permitted.
 check-log-longer-hint = Increase the number of characters per line, or reduce the column widths.
+
+log-column-time = Time
+log-column-axis = Measuring axis, { "_MA" }
+log-column-axis-place = { $place ->
+    [1] Abscissa
+    [2] Ordinate
+   *[other] Applicate
+ }, axis name
+log-column-text = Text { $text }
+log-column-number = R parameter { $text }
+log-column-comment = Text “{ $text }”
+log-column-unknown = { $text }: cannot be logged
+log-column-free = Free text

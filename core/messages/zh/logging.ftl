@@ -99,3 +99,16 @@ check-log-long = 该行有 { $total } 个字符；测量记录最多允许 { $mo
 check-log-long-hint = 请减小列宽，或在一行中少记录几个值。
 check-log-longer = 该行有 { $total } 个字符，而只允许 { $most } 个。
 check-log-longer-hint = 请增大每行字符数，或减小列宽。
+
+log-column-time = 时间
+log-column-axis = 测量轴 { "_MA" }
+log-column-axis-place = { $place ->
+    [1] 横坐标
+    [2] 纵坐标
+   *[other] 垂直坐标
+ }，轴名称
+log-column-text = 文本 { $text }
+log-column-number = R 参数 { $text }
+log-column-comment = 文本“{ $text }”
+log-column-unknown = { $text }：不能记录
+log-column-free = 自由文本

@@ -2,6 +2,7 @@
 
 pub mod address;
 mod aim;
+mod columns;
 mod cycle;
 mod help;
 mod inputs;
@@ -17,6 +18,7 @@ mod when;
 mod work;
 
 pub use aim::*;
+pub use columns::*;
 pub use cycle::*;
 pub use help::*;
 pub use inputs::{Inputs, Typed};

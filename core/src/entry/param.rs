@@ -35,6 +35,8 @@ pub struct Param {
     pub labels: &'static [(When, &'static str)],
     /// As typed in a worked measurement of the cycle; empty: not given there.
     pub example: &'static str,
+    /// How a text is read that lists columns; none: it is no such list.
+    pub columns: Option<super::ReadColumns>,
     /// Place in the manual.
     pub source: &'static str,
 }

@@ -4,7 +4,7 @@ use super::{codes, masks, variant};
 use crate::catalogue::newer::arguments::Argument;
 use crate::check;
 use crate::control::Control;
-use crate::entry::{ArgumentList, Cycle, Inputs, Kind, Level, Param, Topic, Typed, Unit, factor, unit_name};
+use crate::entry::{ArgumentList, Columns, Cycle, Inputs, Kind, Level, Param, Topic, Typed, Unit, factor, unit_name};
 use crate::manual::Cited;
 use crate::manual::explained::concept_of;
 use crate::message::Message;
@@ -88,7 +88,12 @@ pub enum Entry {
         digits: Vec<Group>,
     },
     /// Text.
-    Text,
+    Text {
+        /// Where it lists columns: these.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        #[cfg_attr(test, ts(optional))]
+        columns: Option<Columns>,
+    },
 }
 
 /// A number with its name.
@@ -136,14 +141,15 @@ pub(crate) fn fields_by(inputs: &Inputs, typed: &Typed, control: &Control) -> Ve
 
 fn field(param: &'static Param, inputs: &Inputs, typed: &Typed, control: &Control) -> Option<Field> {
     let (level, reason) = param.need(inputs)?;
+    let value = typed.get(param.name.as_str()).cloned().unwrap_or_default();
     let (stem, unit) = (param.label(inputs), param.unit_with(inputs));
     Some(Field {
         name: param.name,
         label: Message::new(format!("param-{stem}")),
         help: Message::new(format!("param-{stem}-help")),
         topic: param.topic(),
-        entry: entry(param, inputs, shown(param.range, factor(unit, control)), control),
-        value: typed.get(param.name.as_str()).cloned().unwrap_or_default(),
+        entry: entry(param, inputs, shown(param.range, factor(unit, control)), control, &value),
+        value,
         expression: None,
         written: None,
         chooses: matches!(param.kind, Kind::Variant(_)),
@@ -214,13 +220,13 @@ fn shown(range: Range, per: f64) -> Range {
     Range { min: range.min / per, max: range.max / per, ..range }
 }
 
-fn entry(param: &Param, inputs: &Inputs, range: Range, control: &Control) -> Entry {
+fn entry(param: &Param, inputs: &Inputs, range: Range, control: &Control, value: &str) -> Entry {
     let number = inputs.given(param.name).unwrap_or(0.0) as i64;
     let support = Support::of(inputs.cycle, control);
     match &param.kind {
         Kind::Real => Entry::Real { range },
         Kind::Integer => Entry::Integer { range },
-        Kind::Text(_) => Entry::Text,
+        Kind::Text(_) => Entry::Text { columns: param.columns.and_then(|read| read(value, inputs, control)) },
         Kind::Choice(_) | Kind::ChoiceBy(_) | Kind::ChoiceIf(..) => match param.kind.choices(inputs) {
             Some(list) => Entry::Choice { choices: codes::choices(list) },
             None => Entry::Real { range },

@@ -6,6 +6,7 @@ import { meantBy } from "../keys";
 import { parseNumber, plain } from "../numbers";
 import { allWords, say, t } from "../texts";
 import type { Choice, Diagnostic, DigitGroup, Field, Range, Replaced } from "../wire";
+import { columnsOf, createColumns } from "./columns";
 import { reveal } from "./groups";
 import { listProblems } from "./problem";
 import { createReplaced } from "./replaced";
@@ -94,6 +95,15 @@ export function createField(
   const limits = el("span", {});
   const why = el("span", { class: "visually-hidden" }); // in sight beside the drawing while the field has the focus
   const meta = el("p", { class: "meta", id: `${id}-meta` }, limits, why);
+  const columns = createColumns(id, (text, caret) => {
+    typing = null;
+    actions.edit(name, text);
+    actions.touch(name);
+    if (caret === undefined) return;
+    input.value = text;
+    input.focus();
+    input.setSelectionRange(caret, caret);
+  });
   const list = el("ul", { class: "field-problems", id: `${id}-problems`, "aria-live": "polite" });
   const replacedNote = createReplaced(name, actions, goToLine, () => input.focus());
   const root = el(
@@ -102,6 +112,7 @@ export function createField(
     el("div", { class: "field-head" }, el("span", { class: "field-title" }, label, required), code),
     el("div", { class: "entry-line" }, mark, input, unit, worth, first.kind === "choice" ? select : null, meta),
     first.kind === "digits" ? groups : null,
+    first.kind === "text" ? columns.root : null,
     replacedNote.root,
     list,
   );
@@ -172,6 +183,8 @@ export function createField(
           group => createGroup(() => field, group.place, editGroup),
           (node, group, index) => updateGroup(node, group, `${id}-digit-${index}`),
         );
+      columns.update(field);
+      root.classList.toggle("listed", columnsOf(field) !== undefined);
       root.classList.toggle("needed", field.required);
       limits.replaceChildren(...limitsTexts(field).flatMap((text, at) => [at ? " · " : "", el("span", {}, text)]));
       setText(why, ` ${needText(field)}`);

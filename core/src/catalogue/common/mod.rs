@@ -56,6 +56,7 @@ pub const PARAM: Param = Param {
     chooses: &[],
     labels: &[],
     example: "",
+    columns: None,
     source: "",
 };
 

@@ -1,6 +1,6 @@
 //! What CYCLE105 prints: the header (B:11451-11500), or a block of values (B:11371-11411).
 
-use super::line::{Columns, LONGEST, fields, printed};
+use super::line::{Columns, Field, LONGEST, fields, printed};
 use super::names::{
     COLUMN, FIRST_PAGE, HEAD_LINES, HEADLINES, LINE, MARK, PROGRAM, SEPARATOR, TITLES, VALUE_LINES, VALUES,
 };
@@ -124,21 +124,24 @@ fn values(
         return Err(refused(61371));
     }
     let control = machine.control();
-    let mark = text(control, MARK);
-    let shown = |field| {
-        let text = printed(field, control, time)?;
-        let marked =
-            matches!(field, super::line::Field::Number(name) if subject.marked.contains(&*name.to_ascii_uppercase()));
-        Some(if marked { text + mark } else { text })
-    };
-    let texts: Option<Vec<String>> = fields(line).map(shown).collect();
-    let Some(texts) = texts else { return Err(refused(61361)) };
+    let Some(texts) = texts(control, line, &subject.marked, time) else { return Err(refused(61361)) };
     if texts.iter().enumerate().any(|(column, text)| columns.narrow(column, text)) {
         announce(machine, 62309);
     }
     let whole = columns.line(&texts, separator);
     fit(machine, total, whole.chars().count())?;
     Ok(whole)
+}
+
+/// What the fields of a line print, with the mark behind results that exceed a limit; none: one cannot be printed.
+pub fn texts(control: &Control, line: &str, marked: &BTreeSet<&str>, time: &str) -> Option<Vec<String>> {
+    let mark = text(control, MARK);
+    let shown = |field| {
+        let text = printed(field, control, time)?;
+        let beyond = matches!(field, Field::Number(name) if marked.contains(&*name.to_ascii_uppercase()));
+        Some(if beyond { text + mark } else { text })
+    };
+    fields(line).map(shown).collect()
 }
 
 /// Holds a line against `_PROTFORM[1]`: columns that are too many for it are reported (A:15944); where only a value

@@ -21,7 +21,7 @@ pub enum Field<'a> {
 }
 
 /// Fields of `_OVR[]` (B:2380).
-const RESULTS: usize = 32;
+pub const RESULTS: usize = 32;
 /// Texts of `_TXT[]` (B:11360).
 const TEXTS: usize = 100;
 /// Characters of the time.
@@ -136,7 +136,7 @@ pub fn printed(field: Field, control: &Control, time: &str) -> Option<String> {
 }
 
 /// Names of user data begin with `_`; of these the log knows the following (B:11377-11400).
-fn field(text: &str) -> Field<'_> {
+pub fn field(text: &str) -> Field<'_> {
     let upper = text.to_ascii_uppercase();
     match upper.as_str() {
         "_TIME" => Field::Time,
@@ -144,12 +144,17 @@ fn field(text: &str) -> Field<'_> {
         "_AXIS1" => Field::Axis(Some(0)),
         "_AXIS2" => Field::Axis(Some(1)),
         "_AXIS3" => Field::Axis(Some(2)),
-        _ if element(&upper, "_OVR").is_some_and(|index| index < RESULTS) => Field::Number(text),
+        _ if result(&upper).is_some() => Field::Number(text),
         _ if element(&upper, "_TXT").is_some_and(|index| index < TEXTS) => Field::Text(text),
         _ if register(&upper) => Field::Number(text),
         _ if upper.starts_with(['_', '$']) => Field::Unknown(text),
         _ => Field::Comment(text),
     }
+}
+
+/// Place of a result: 4 of `_OVR[4]`, in capitals; none: it is another datum.
+pub fn result(upper: &str) -> Option<usize> {
+    element(upper, "_OVR").filter(|index| *index < RESULTS)
 }
 
 /// Index of `_OVR[4]`; written without blanks and zeros before it, as the control's own names are.

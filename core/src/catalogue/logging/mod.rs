@@ -3,6 +3,7 @@
 
 pub mod cells;
 mod checks;
+mod columns;
 mod contents;
 pub mod help;
 mod keep;

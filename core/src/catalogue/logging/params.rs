@@ -2,8 +2,9 @@
 //! none has to be written before a call. The example is a log of one line of values below a header, as in the sample of
 //! the manual (B:11513-11600).
 
-use super::names;
+use super::{columns, names};
 use crate::catalogue::prelude::*;
+use crate::entry::ReadColumns;
 
 /// Longest line of a log, characters (A:15947).
 pub const LONGEST_LINE: f64 = 200.0;
@@ -99,12 +100,14 @@ pub const fn headline(index: usize, example: &'static str, needs: &'static [Need
 
 /// A title line; the definition of the data gives 100 characters, the text 80 (B:13167, B:11357).
 pub const fn title(index: usize, example: &'static str, needs: &'static [Need]) -> Param {
-    Param { needs, example, ..text(100, names::TITLES[index], "log-title", "B:11357-11358;B:11404") }
+    let columns = Some(columns::titles as ReadColumns);
+    Param { needs, example, columns, ..text(100, names::TITLES[index], "log-title", "B:11357-11358;B:11404") }
 }
 
 /// What a line of values shows.
 pub const fn values(index: usize, example: &'static str, needs: &'static [Need]) -> Param {
-    Param { needs, example, ..text(100, names::VALUES[index], "log-values", "B:11359;B:11375-11411") }
+    let columns = Some(columns::values as ReadColumns);
+    Param { needs, example, columns, ..text(100, names::VALUES[index], "log-values", "B:11359;B:11375-11411") }
 }
 
 /// The first title line also where the columns are made of it.

@@ -55,7 +55,12 @@ pub fn sequence(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> 
 
 /// Puts what a form gives where a program has written it: the log is about data of the control.
 fn take(machine: &mut dyn Machine, inputs: &Inputs) {
-    let data = &mut machine.control().data;
+    put(machine.control(), inputs);
+}
+
+/// Writes the data of a call into the control.
+pub fn put(control: &mut Control, inputs: &Inputs) {
+    let data = &mut control.data;
     let of_control = |name: &Name| *name != JOB;
     for (name, text) in inputs.texts.iter().filter(|(name, _)| of_control(name)) {
         data.insert(name.to_string(), Value::Text(text.clone()));

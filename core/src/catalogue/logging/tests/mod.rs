@@ -2,9 +2,11 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+mod columns;
 mod in_a_run;
 mod marked;
 
+use super::OWN_HEADER;
 use super::names::*;
 use crate::catalogue::cycle100::CYCLE100;
 use crate::catalogue::cycle105::CYCLE105;
