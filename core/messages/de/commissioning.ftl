@@ -187,7 +187,7 @@ commission-emb-pcu20-10 = Image und Flash-Karte
 commission-emb-pcu20-10-do = Imagedatei PCU_20.ABB erzeugen. Damit die Flash-Karte programmieren.
 commission-emb-pcu20-10-if = Nur wenn in den Schritten 6 bis 9 Dateien in das HMI eingebunden wurden.
 
-commission-path-emb-tcu = HMI Embedded TCU solution line SW 1.x
+commission-path-emb-tcu = HMI Embedded mit TCU solution line SW 1.x
 commission-emb-tcu-0 = Voraussetzung
 commission-emb-tcu-0-do = Sicherstellen, dass der Messzyklenstand auf der CF-Karte ist. Bis NCK 63.xx.xx MD 18130, 18180, 11420 und 28082 wie in den Schritten 0.1 und 0.2 prüfen.
 commission-emb-tcu-0-check = Die Prüfung der Maschinendaten findet keinen Fehler.
@@ -230,9 +230,9 @@ commission-upgrade-adv-new-5-do = Weitere Archive laden und NC-Reset auslösen, 
 commission-upgrade-adv-new-6 = HMI Advanced, neu: Bilder aktualisieren
 commission-upgrade-adv-new-6-do = Anzeigemaschinendatum MD 9021 LAYOUT_MODE = 1 setzen und das HMI neu starten. Danach 0 setzen und das HMI erneut starten. War der Wert vorher 1 (altes Design), zuerst 0, dann 1 setzen.
 commission-upgrade-adv-new-6-check = Alle Bilder der Messzyklenunterstützung und des Messens in JOG sind neu.
-commission-upgrade-emb-pcu20 = HMI Embedded PCU20 powerline
+commission-upgrade-emb-pcu20 = HMI Embedded mit PCU20 powerline
 commission-upgrade-emb-pcu20-do = Dem Weg von HMI Embedded PCU20 folgen, bei älterer Software mit den Schritten 6 bis 10.
-commission-upgrade-emb-tcu = HMI Embedded TCU solution line SW 1.x
+commission-upgrade-emb-tcu = HMI Embedded mit TCU solution line SW 1.x
 commission-upgrade-emb-tcu-do = Das Handbuch beschreibt für dieses HMI kein Hochrüsten. Vorschlag: den neuen Stand auf die CF-Karte bringen und dem Weg von HMI Embedded TCU folgen.
 
 commission-path-jog-files = Dateien für Messen in JOG: HMI Advanced, MMC 103

@@ -187,7 +187,7 @@ commission-emb-pcu20-10 = 映像和闪存卡
 commission-emb-pcu20-10-do = 生成映像文件 PCU_20.ABB，用它对闪存卡编程。
 commission-emb-pcu20-10-if = 仅当步骤 6 至 9 中已将文件集成到 HMI 时。
 
-commission-path-emb-tcu = HMI Embedded TCU solution line SW 1.x
+commission-path-emb-tcu = HMI Embedded，TCU solution line SW 1.x
 commission-emb-tcu-0 = 前提条件
 commission-emb-tcu-0-do = 确认 CF 卡上有测量循环版本。至 NCK 63.xx.xx，按步骤 0.1 和 0.2 检查 MD 18130、18180、11420 和 28082。
 commission-emb-tcu-0-check = 机床数据检查未发现错误。
@@ -230,9 +230,9 @@ commission-upgrade-adv-new-5-do = 按 HMI Advanced 新路径的步骤 2.1 至 2.
 commission-upgrade-adv-new-6 = HMI Advanced，新版本：更新图片
 commission-upgrade-adv-new-6-do = 将显示机床数据 MD 9021 LAYOUT_MODE 设为 1，重新启动 HMI。然后设为 0，再次重新启动 HMI。原值为 1（旧界面）时，先设为 0，再设为 1。
 commission-upgrade-adv-new-6-check = 测量循环支持和 JOG 测量的所有图片均已更新。
-commission-upgrade-emb-pcu20 = HMI Embedded PCU20 powerline
+commission-upgrade-emb-pcu20 = HMI Embedded，PCU20 powerline
 commission-upgrade-emb-pcu20-do = 按 HMI Embedded PCU20 的路径操作，较旧的软件包括步骤 6 至 10。
-commission-upgrade-emb-tcu = HMI Embedded TCU solution line SW 1.x
+commission-upgrade-emb-tcu = HMI Embedded，TCU solution line SW 1.x
 commission-upgrade-emb-tcu-do = 手册没有说明此 HMI 的升级。建议：将新版本写入 CF 卡，按 HMI Embedded TCU 的路径操作。
 
 commission-path-jog-files = JOG 测量的文件：HMI Advanced、MMC 103
