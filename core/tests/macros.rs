@@ -60,10 +60,8 @@ fn with_macros(text: &str, picks: &[(prop::sample::Index, prop::sample::Index, u
 
 fn told(program: &Program) -> Vec<(u32, String)> {
     let line = |found: &probewright_core::diagnostic::Diagnostic| program.line_of(found.span.unwrap_or_default().start);
-    // values of one macro have one place: of one that does not reach its call nothing is told where another one does;
-    // an R parameter that a macro sets cannot be converted, which is told
-    let own = ["advice-overwritten", "older-unclear"];
-    let found = findings(program).into_iter().filter(|found| !own.contains(&&*found.message.key));
+    // values of one macro have one place: of one that does not reach its call nothing is told where another one does
+    let found = findings(program).into_iter().filter(|found| found.message.key != "advice-overwritten");
     let mut all: Vec<_> = found.map(|found| (line(&found), found.message.key.to_string())).collect();
     all.sort();
     all.dedup();
@@ -80,7 +78,9 @@ proptest! {
     // oracle: peer (the same program without macros)
     #[test]
     fn a_program_with_macros_is_the_program_written_out(at in any::<prop::sample::Index>(), picks in picks()) {
-        let all = [programs("right"), programs("wrong")].concat();
+        let mut all = [programs("right"), programs("wrong")].concat();
+        // a program of an 840C has no macros: what is told of its R parameters is so where they stand
+        all.retain(|text| !text.contains("R23="));
         let (named, written) = with_macros(at.get::<String>(&all), &picks);
         let [named, written] = [named, written].map(|text| read(Sinumerik, text.as_bytes()));
         prop_assert_eq!(told(&named), told(&written), "{}", String::from_utf8_lossy(&named.source));

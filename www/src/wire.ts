@@ -3116,7 +3116,7 @@ export type SeriesAlarm = {
   count: number,
   /** Share of all runs. */
   share: number,
-  /** Standard error of this share. */
+  /** Standard error of this share; of all or none of the runs: how much it may be off with 95 % confidence. */
   error: number,
   /** Name of the alarm; empty: none of the control. */
   code: string,
@@ -3282,7 +3282,7 @@ export type SeriesShare = {
   count: number,
   /** Share of all runs. */
   share: number,
-  /** Standard error of this share. */
+  /** Standard error of this share; of all or none of the runs: how much it may be off with 95 % confidence. */
   error: number,
 };
 

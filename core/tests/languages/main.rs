@@ -21,7 +21,7 @@ const SHARED: &[(&str, &[&str])] = &[
         "de",
         &[
             "Alarm", "minus", "Name", "null", "optional", "Optional", "Ordinate", "Pause", "plus", "Position",
-            "Radius", "Register", "Scan", "Shift", "Standard",
+            "Radius", "Register", "Scan", "Shift", "Signal", "Standard", "Text",
         ],
     ),
     // as they stand on the keys

@@ -33,6 +33,7 @@ fn cells<'a>(view: &'a Value, table: &str, row: &str) -> Vec<&'a Value> {
 fn other(cell: &Value) -> String {
     let value = cell["value"].as_str().unwrap();
     match cell["kind"].as_str().unwrap() {
+        "text" if cell["key"] == "equip-clock" => "2026-05-31T08:00:00".to_owned(),
         "text" => "PROBE_7".to_owned(),
         "choice" => {
             let all: Vec<String> = cell["choices"].as_array().unwrap().iter().map(Value::to_string).collect();
