@@ -27,9 +27,15 @@ describe("the mode of a run", () => {
     await page.locator(".panel-results [id=tab-outcome]").click();
     await page.locator(".ended").waitFor();
     await page.getByLabel("Mode", { exact: true }).selectOption({ label: "Program test" });
-    await page.locator(".given-mode").getByText(/On the machine no axis moves/).waitFor();
+    await page
+      .locator(".given-mode")
+      .getByText(/On the machine no axis moves/)
+      .waitFor();
     await page.locator("#tab-problems").click();
-    await page.getByText(/CYCLE977 is skipped: program test/).first().waitFor();
+    await page
+      .getByText(/CYCLE977 is skipped: program test/)
+      .first()
+      .waitFor();
     await page.locator("#tab-outcome").click();
     await page.getByLabel("Mode", { exact: true }).selectOption({ label: "Block search" });
     await page.getByLabel("Block search up to line").fill("4");
