@@ -280,7 +280,7 @@ describe("the measurements of a whole program", () => {
         await whole(page, `G17 G54\nT9 D1 M6\nG0 X180 Y130\nZ20\n${VALUES} _TMV=0.02 _TDIF=0.06\nCYCLE977\nM30\n`);
       await row(page).first().waitFor();
       await certainty.click();
-      const told = scatter ? "Neither good nor bad: 1." : "Nothing spreads here";
+      const told = scatter ? "Neither good nor bad: 1." : "Nothing spreads:";
       await page.locator(".whole-certain").getByText(told).waitFor();
     }
     const [, expanded] = (await row(page).locator(".cell-actual").textContent()).match(/±(0\.00\d\d)/);
