@@ -31,12 +31,21 @@ pub struct Chapter {
 
 /// The chapters, by manual and line.
 pub static CHAPTERS: LazyLock<Vec<Chapter>> = LazyLock::new(|| {
-    let rows = include_str!("manual/chapters.tsv").lines().skip(1).filter_map(|row| {
-        let [manual, line, number, title, later] = row.split('\t').collect::<Vec<_>>().try_into().ok()?;
+    let chapter = |[manual, line, number, title, later]: [&'static str; 5]| {
         Some(Chapter { manual: manual.chars().next()?, line: line.parse().ok()?, number, title, later })
-    });
-    rows.collect()
+    };
+    rows(include_str!("manual/chapters.tsv")).filter_map(chapter).collect()
 });
+
+/// The rows of a table behind its head; one with other columns is none, which tests of the tables hold.
+fn rows<const COLUMNS: usize>(table: &'static str) -> impl Iterator<Item = [&'static str; COLUMNS]> {
+    table.lines().skip(1).filter_map(|row| row.split('\t').collect::<Vec<_>>().try_into().ok())
+}
+
+/// What a cell lists.
+fn several(cell: &'static str) -> Vec<&'static str> {
+    cell.split(';').filter(|one| !one.is_empty()).collect()
+}
 
 /// Lines of manuals where a fact is found, such as `B:2408-2469;A:2591`; shown and serialized as titles, editions and
 /// chapters (`Measuring Cycles 04/2006, 3.1.2; Measuring Cycles 10/2004, 3.1.2`).

@@ -3,18 +3,11 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { after, before, describe, test } from "node:test";
 import { counts, shared } from "./browser.mjs";
-import { drawn, lengthField, openProgram, shownChange, startWithAll as start, stored } from "./start.mjs";
+import { drawn, find, lengthField, openProgram, shownChange, startWithAll as start, stored } from "./start.mjs";
 
 const palette = page => page.locator("dialog.palette[open]");
 const items = (page, group) => palette(page).locator(`[aria-labelledby="palette-group-${group}"] .palette-item`);
 const chosen = page => palette(page).locator('[aria-selected="true"]');
-
-/** Opens the palette by its key and types into it, until all that is searched has come. */
-async function find(page, text) {
-  if (!(await palette(page).count())) await page.keyboard.press("Control+k");
-  await page.locator("#palette-search").fill(text);
-  await page.locator(`#palette-list[data-search="${text}"][data-complete]`).waitFor();
-}
 
 const CALL = "_MVAR=1 _SETVAL=132 _TUL=0.03 _TLL=-0.03 _TNUM=20 _KNUM=0 _TSA=1 _PRNUM=1 _NMSP=1 _FA=2\nCYCLE977\n";
 

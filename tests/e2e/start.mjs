@@ -163,3 +163,14 @@ export async function startWithAll(chrome, options) {
   await opened.page.locator(".tree:not([aria-busy])").waitFor({ state: "attached" });
   return opened;
 }
+
+/** Opens the palette by its key, once it has come, and types into it, until all that is searched has come. */
+export async function find(page, text) {
+  const palette = page.locator("dialog.palette[open]");
+  for (let tries = 0; tries < 150 && !(await palette.count()); tries++) {
+    await page.keyboard.press("Control+k");
+    await page.waitForTimeout(100);
+  }
+  await page.locator("#palette-search").fill(text);
+  await page.locator(`#palette-list[data-search="${text}"][data-complete]`).waitFor();
+}

@@ -2,13 +2,12 @@
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { counts, packages, shared } from "./browser.mjs";
-import { startWithEditor as start } from "./start.mjs";
+import { find, keptWhen, startWithEditor as start } from "./start.mjs";
 
 const axe = packages.resolve("axe-core/axe.min.js");
 
 async function command(page, name) {
-  await page.keyboard.press("Control+k");
-  await page.keyboard.type(name);
+  await find(page, name);
   await page.getByRole("option", { name }).first().waitFor();
   await page.keyboard.press("Enter");
 }
@@ -60,7 +59,7 @@ describe("concepts, terms and commissioning", () => {
     await way.selectOption({ label: "Connections of probes" });
     await page.getByText("X121.1", { exact: false }).first().waitFor();
     await page.keyboard.press("Escape");
-    await page.waitForTimeout(1200);
+    await keptWhen(page, kept => Object.values(kept.steps ?? {}).includes(true));
     await page.reload();
     await page.locator(".fields").first().waitFor();
     await command(page, "Commissioning and upgrade");

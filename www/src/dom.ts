@@ -93,3 +93,14 @@ export function keyed<T, E extends Element>(
   if (focused instanceof HTMLElement && focused !== document.activeElement) focused.focus();
   kept.set(parent, now);
 }
+
+/** The options of a select; what is chosen stays so while its value does. */
+export function choicesIn(select: HTMLSelectElement, all: readonly { value: string; text: string }[]): void {
+  keyed(
+    select,
+    all,
+    one => one.value,
+    one => el("option", { value: one.value }),
+    (node, one) => setText(node, one.text),
+  );
+}

@@ -1,8 +1,7 @@
 //! How measuring cycles come to a machine: the steps of commissioning and upgrade by operator panel, and the
 //! connections of probes. Their words are messages: `commission-…`, its `-do`, `-if` and `-check`; `connection-…`.
 
-use super::Cited;
-use super::explained::{rows, several};
+use super::{Cited, rows, several};
 use std::sync::LazyLock;
 
 /// A step of a way to commission.

@@ -1,7 +1,8 @@
 //! What the manuals take for granted in each sentence: concepts, a page each, and terms, a definition each. Their words
 //! are messages: `concept-…` with its numbered lines, `term-…` and `term-…-is`.
 
-use super::Cited;
+use super::{Cited, rows, several};
+use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
 /// A concept with a page of its own.
@@ -51,18 +52,23 @@ pub static TERMS: LazyLock<Vec<Term>> = LazyLock::new(|| {
     rows(include_str!("terms.tsv")).map(term).collect()
 });
 
-/// The concept that explains a parameter or datum: of several the one that is about the fewest.
+/// The concepts by what they explain; of several the one that is about the fewest. Made once: each field asks.
+static BY_NAME: LazyLock<BTreeMap<&str, &Concept>> = LazyLock::new(|| {
+    let mut by_name = BTreeMap::new();
+    for concept in CONCEPTS.iter() {
+        for name in &concept.names {
+            let known = by_name.entry(*name).or_insert(concept);
+            if concept.names.len() < known.names.len() {
+                *known = concept;
+            }
+        }
+    }
+    by_name
+});
+
+/// The concept that explains a parameter or datum.
 pub fn concept_of(name: &str) -> Option<&'static Concept> {
-    let about = CONCEPTS.iter().filter(|concept| concept.names.contains(&name));
-    about.min_by_key(|concept| concept.names.len())
-}
-
-pub(super) fn rows<const COLUMNS: usize>(table: &'static str) -> impl Iterator<Item = [&'static str; COLUMNS]> {
-    table.lines().skip(1).filter_map(|row| row.split('\t').collect::<Vec<_>>().try_into().ok())
-}
-
-pub(super) fn several(cell: &'static str) -> Vec<&'static str> {
-    cell.split(';').filter(|one| !one.is_empty()).collect()
+    BY_NAME.get(name).copied()
 }
 
 #[cfg(test)]

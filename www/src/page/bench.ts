@@ -1,7 +1,7 @@
 // Everything to be seen, in the language that counts when it is made. Another language: another bench, from the same
 // state.
 
-import type { ProgramQuestion } from "../core/program";
+import type { ProgramCore, ProgramQuestion } from "../core/program";
 import type { Actions } from "../desk/actions";
 import type { Derived } from "../desk/derive";
 import { givenTo, machineTo } from "../desk/given";
@@ -135,25 +135,22 @@ export function createBench(parts: Parts): Bench {
     const setup = machineTo(now.state, now.derived.view);
     void import("../views/repeat").then(({ openRepeat }) => openRepeat(has, setup, stop.signal));
   };
-  const userPrograms = (): void => {
+  /** A dialog that asks the core, as soon as there is one. */
+  const withCore = (open: (has: ProgramCore) => Promise<void>): void => {
     const has = core();
-    if (has) void import("../views/user-programs").then(({ openUserPrograms }) => openUserPrograms(has, stop.signal));
+    if (has) void open(has);
   };
-  const definitions = (): void => {
-    const has = core();
-    if (!has) return;
-    const ofMachine = { setup: () => machineIn(store.state), take: actions.data };
-    void import("../views/definitions").then(({ openDefinitions }) => openDefinitions(has, ofMachine, stop.signal));
-  };
-  const commissioning = (): void => {
-    const has = core();
-    if (!has) return;
-    void import("../views/commissioning").then(({ openCommissioning }) => openCommissioning(has, store, stop.signal));
-  };
-  const terms = (concept?: string): void => {
-    const has = core();
-    if (has) void import("../views/terms").then(({ openTerms }) => openTerms(has, stop.signal, concept));
-  };
+  const userPrograms = (): void =>
+    withCore(async has => (await import("../views/user-programs")).openUserPrograms(has, stop.signal));
+  const definitions = (): void =>
+    withCore(async has => {
+      const ofMachine = { setup: () => machineIn(store.state), take: actions.data };
+      (await import("../views/definitions")).openDefinitions(has, ofMachine, stop.signal);
+    });
+  const commissioning = (): void =>
+    withCore(async has => (await import("../views/commissioning")).openCommissioning(has, store, stop.signal));
+  const terms = (concept?: string): void =>
+    withCore(async has => (await import("../views/terms")).openTerms(has, stop.signal, concept));
   const asked = (): ProgramQuestion | null => {
     if (!shown) return null;
     const { state, derived } = shown;

@@ -1,7 +1,7 @@
 // The columns of a text, put together by choosing: each with its name and a way to take it out, a list of what can be
 // added, and the lines as they are printed. The text itself stays in its entry, where it can be typed too.
 
-import { el, keyed, on, setAttribute, setText, show } from "../dom";
+import { choicesIn, el, keyed, on, setAttribute, setText, show } from "../dom";
 import { icon } from "../icons";
 import { say, t } from "../texts";
 import type { Columns, Field } from "../wire";
@@ -72,13 +72,7 @@ export function createColumns(id: string, put: (text: string, caret?: number) =>
         value: String(index),
         text: offer.text ? `${say(offer.label)} · ${offer.text}` : say(offer.label),
       }));
-      keyed(
-        choice,
-        offers,
-        one => one.value,
-        one => el("option", { value: one.value }),
-        (node, one) => setText(node, one.text),
-      );
+      choicesIn(choice, offers);
       show(choice, now.offers.length > 1);
       setText(button, t("columns-add"));
       setAttribute(choice, "aria-label", t("columns-choice", { name: say(field.label) }));

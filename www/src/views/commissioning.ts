@@ -9,7 +9,7 @@ import { el, on } from "../dom";
 import type { Store } from "../state/store";
 import { helpWords, say, t } from "../texts";
 import type { CommissioningPath, CommissioningStep, ConnectionView } from "../wire";
-import { passingDialog, showPassing } from "./passing";
+import { passingDialog, printBelow, showPassing } from "./passing";
 
 const CONNECTIONS = "connections";
 type Turn = (id: string, done: boolean) => void;
@@ -54,15 +54,6 @@ function cards(connections: ConnectionView[]): TemplateResult {
   return html`<dl>${connections.map(card)}</dl>`;
 }
 
-/** Prints what is shown (`paper.ts` clears it). */
-function printList(title: string, shown: TemplateResult): void {
-  const body = el("div");
-  render(shown, body);
-  document.body.append(el("div", { class: "paper exported-paper" }, el("h2", {}, title), body));
-  document.documentElement.dataset.paper = "exported";
-  print();
-}
-
 /** Opens the dialog. */
 export async function openCommissioning(core: ProgramCore, store: Store, end: AbortSignal): Promise<void> {
   await helpWords();
@@ -89,7 +80,11 @@ export async function openCommissioning(core: ProgramCore, store: Store, end: Ab
     draw();
   }
   on(way, "change", draw);
-  on(printing, "click", () => printList(way.selectedOptions[0]?.textContent ?? "", content()));
+  on(printing, "click", () => {
+    const body = el("div");
+    render(content(), body);
+    printBelow("exported", way.selectedOptions[0]?.textContent ?? "", body);
+  });
   on(again, "click", () => {
     const own = new Set(shown()?.steps.map(({ id }) => id));
     const left = Object.entries(store.state.machine.steps).filter(([id]) => !own.has(id));

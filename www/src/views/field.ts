@@ -1,7 +1,7 @@
 // One field: name as in the manual, label, entry, unit, what is allowed and why, its problems.
 
 import type { Actions } from "../desk/actions";
-import { el, keyed, on, setAttribute, setText, show } from "../dom";
+import { choicesIn, el, keyed, on, setAttribute, setText, show } from "../dom";
 import { meantBy } from "../keys";
 import { parseNumber, plain } from "../numbers";
 import { allWords, say, t } from "../texts";
@@ -198,17 +198,8 @@ export function createField(
 }
 
 function options(select: HTMLSelectElement, choices: { value: number; text: string }[], empty: string | null): void {
-  const list = [
-    ...(empty === null ? [] : [{ value: "", text: empty }]),
-    ...choices.map(one => ({ value: String(one.value), text: one.text })),
-  ];
-  keyed(
-    select,
-    list,
-    one => one.value,
-    one => el("option", { value: one.value }),
-    (node, one) => setText(node, one.text),
-  );
+  const list = choices.map(one => ({ value: String(one.value), text: one.text }));
+  choicesIn(select, empty === null ? list : [{ value: "", text: empty }, ...list]);
 }
 
 function updateChoice(select: HTMLSelectElement, field: Field, typed: string): void {

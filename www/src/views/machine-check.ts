@@ -9,7 +9,7 @@ import { saveFile } from "../state/files";
 import { say, sayProblem, t } from "../texts";
 import type { ExportedFile, MachineCheckView, MachineFault, Severity, Use } from "../wire";
 import { createBraking } from "./braking";
-import { passingDialog, showPassing } from "./passing";
+import { passingDialog, printBelow, showPassing } from "./passing";
 import { textOf } from "./protocol";
 
 const SEVERITIES: Severity[] = ["error", "warning", "note"];
@@ -78,13 +78,10 @@ function listOf({ faults, missing, ending }: MachineCheckView): TemplateResult {
     }`;
 }
 
-/** Prints the list; the page has one way for paper (`paper.ts`), which clears it when it is printed. */
 function printList(view: MachineCheckView): void {
   const list = el("div");
   render(listOf(view), list);
-  document.body.append(el("div", { class: "paper exported-paper" }, el("h2", {}, t("exported-title")), list));
-  document.documentElement.dataset.paper = "exported";
-  print();
+  printBelow("exported", t("exported-title"), list);
 }
 
 /** A box that is checked where the machine has it. */

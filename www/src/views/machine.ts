@@ -1,7 +1,7 @@
 // In which plane and with which units the machine begins. What a program says before a call counts there instead.
 
 import type { Actions } from "../desk/actions";
-import { el, keyed, on, setAttribute, setText } from "../dom";
+import { choicesIn, el, on, setAttribute, setText } from "../dom";
 import { beginning, INCH, PLANES, type State, UNITS } from "../state/state";
 import { t } from "../texts";
 import type { Dialect, OwnMachine, UnitFunction } from "../wire";
@@ -12,12 +12,9 @@ function unitText(control: Dialect, units: UnitFunction): string {
 }
 
 function options(select: HTMLSelectElement, values: readonly string[], text: (value: string) => string): void {
-  keyed(
+  choicesIn(
     select,
-    values,
-    value => value,
-    value => el("option", { value }),
-    (node, value) => setText(node, text(value)),
+    values.map(value => ({ value, text: text(value) })),
   );
 }
 

@@ -16,6 +16,13 @@ export function passingDialog(id: string, title: string, body: Child[], buttons:
   );
 }
 
+/** Prints this under its title; the page has one way for paper (`paper.ts`), which clears it when it is printed. */
+export function printBelow(paper: string, title: string, ...parts: Child[]): void {
+  document.body.append(el("div", { class: `paper ${paper}-paper` }, el("h2", {}, title), ...parts));
+  document.documentElement.dataset.paper = paper;
+  print();
+}
+
 /** Shows it until it is closed, or the page ends; `gone`: what then ends with it. */
 export function showPassing(dialog: HTMLDialogElement, closing: HTMLElement, end: AbortSignal, gone: () => void): void {
   const drop = (): void => {

@@ -8,7 +8,7 @@ import type { ProgramCore, SeriesQuestion } from "../core/program";
 import { el, on, show } from "../dom";
 import { say, sayProblem, t } from "../texts";
 import type { Series, SeriesStart, SeriesView } from "../wire";
-import { showPassing } from "./passing";
+import { printBelow, showPassing } from "./passing";
 import { PAPER_WIDTH } from "./series-chart";
 import { fieldsOf, seriesOf, type Typed, typedOf } from "./series-fields";
 import { endingOf, resultOf } from "./series-result";
@@ -16,15 +16,10 @@ import { endingOf, resultOf } from "./series-result";
 const LOOK = 250; // ms between two looks at how far it is
 const NOTHING: Series = { runs: 100, seed: 1, mode: "production", vary: [] };
 
-/** Prints what is shown (`paper.ts` clears it). */
 function printResult(view: SeriesView): void {
   const body = el("div");
   render(resultOf(view, PAPER_WIDTH), body);
-  document.body.append(
-    el("div", { class: "paper series-paper" }, el("h2", {}, t("runs-title")), el("p", {}, endingOf(view)), body),
-  );
-  document.documentElement.dataset.paper = "series";
-  print();
+  printBelow("series", t("runs-title"), el("p", {}, endingOf(view)), body);
 }
 
 /** What the dialog shows, and its buttons. */

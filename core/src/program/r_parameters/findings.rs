@@ -11,6 +11,11 @@ use crate::own::{self, Own};
 use crate::syntax::Program;
 use std::collections::BTreeSet;
 
+/// Whether it is said of a measuring call of an 840C.
+pub fn is_of_call(found: &Diagnostic) -> bool {
+    found.code == own::OLDER_CALL.code()
+}
+
 /// What is to be said; the first call has the cure for all of them, as long as nothing is open.
 pub fn findings(program: &Program, older: &Older, found: &mut Vec<Diagnostic>) {
     let mut cure = Some(edits(program, older)).filter(|edits| !edits.is_empty());

@@ -8,7 +8,7 @@ mod tests;
 mod walk;
 
 pub use edits::edits;
-pub use findings::findings;
+pub use findings::{findings, is_of_call};
 
 use crate::catalogue::r_parameters::{Called, SETPOINTS, VARIANT};
 use crate::diagnostic::Span;

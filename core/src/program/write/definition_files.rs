@@ -1,7 +1,7 @@
 //! What a machine changes in the definition files of the measuring cycles, and the program that assigns its values
 //! (B:13262-13292, B:14205-14234). The delivered files are printed nowhere: lines are written, no files.
 
-use super::machine::{differing, places, value, written};
+use super::machine::{differing, head, listed, places, value, written};
 use crate::control::gud::{self, Block, Gud, Initial, Kind};
 use crate::control::{Control, Value};
 use std::fmt::Write;
@@ -63,8 +63,7 @@ pub fn lines(file: &DefinitionFile, control: &Control, delivered: &Control) -> S
 /// `N11 DEF NCK REAL _TP[2,10]=(0,…)`; an array without elements is a comment, as the manual does it (B:13281).
 fn line(control: &Control, gud: &Gud) -> String {
     let number = NUMBERS.iter().find(|(name, _)| *name == gud.name).map(|(_, number)| format!("N{number} "));
-    let scope = if gud.channel { "CHAN" } else { "NCK" };
-    let head = format!("{}DEF {scope} {} {}", number.unwrap_or_default(), gud.kind.name(), gud.name);
+    let head = format!("{}{}", number.unwrap_or_default(), head(gud));
     let sizes = size(control, gud);
     let index = |sizes: &[usize]| sizes.iter().map(usize::to_string).collect::<Vec<_>>().join(",");
     if sizes.is_empty() {
@@ -78,12 +77,9 @@ fn line(control: &Control, gud: &Gud) -> String {
     if gud.block == Block::Gud5 {
         return head; // memories begin with 0
     }
-    let mut values: Vec<String> = places(&sizes).iter().map(|at| written(&element(control, gud, at))).collect();
-    while values.last().is_some_and(|value| value == "0") {
-        values.pop(); // what a list leaves out is 0
-    }
+    let values = listed(places(&sizes).iter().map(|at| element(control, gud, at)));
     let list = if gud.block == Block::Gud7 { "SET" } else { "" };
-    if values.is_empty() { head } else { format!("{head}={list}({})", values.join(",")) }
+    if values.is_empty() { head } else { format!("{head}={list}({values})") }
 }
 
 /// An element; one beyond the delivered size has the value that is delivered for all.

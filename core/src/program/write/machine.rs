@@ -73,12 +73,11 @@ pub fn definitions(control: &Control, delivered: &Control) -> String {
 
 /// `DEF NCK REAL _KB[3,7]=(0,…)`; fields that are counted have as many as there are.
 fn definition(control: &Control, gud: &Gud) -> String {
-    let scope = if gud.channel { "CHAN" } else { "NCK" };
     let mut sizes = gud.sizes.to_vec();
     if let Some(first) = sizes.first_mut().filter(|_| !gud.counted.is_empty()) {
         *first = (control.number(gud.counted) as usize).min(*first);
     }
-    let mut line = format!("DEF {scope} {} {}", gud.kind.name(), gud.name);
+    let line = head(gud);
     if sizes.contains(&0) {
         return format!(";{line} not present"); // the manual turns such a line into a comment
     }
@@ -86,15 +85,23 @@ fn definition(control: &Control, gud: &Gud) -> String {
         return format!("{line}={}", written(&value(control, gud.name)));
     }
     let count: Vec<String> = sizes.iter().map(usize::to_string).collect();
-    let _ = write!(line, "[{}]", count.join(","));
-    let mut values: Vec<String> = places(&sizes).iter().map(|at| written(&value(control, &gud.spelled(at)))).collect();
+    let line = format!("{line}[{}]", count.join(","));
+    let values = listed(places(&sizes).iter().map(|at| value(control, &gud.spelled(at))));
+    if values.is_empty() { line } else { format!("{line}=({values})") }
+}
+
+/// `DEF NCK REAL _KB`.
+pub(super) fn head(gud: &Gud) -> String {
+    format!("DEF {} {} {}", if gud.channel { "CHAN" } else { "NCK" }, gud.kind.name(), gud.name)
+}
+
+/// Values of a list as it is written; what it leaves out at the end is 0.
+pub(super) fn listed(values: impl Iterator<Item = Value>) -> String {
+    let mut values: Vec<String> = values.map(|value| written(&value)).collect();
     while values.last().is_some_and(|value| value == "0") {
-        values.pop(); // what a list leaves out is 0
+        values.pop();
     }
-    if !values.is_empty() {
-        let _ = write!(line, "=({})", values.join(","));
-    }
-    line
+    values.join(",")
 }
 
 /// Indices of every element, the last one counting first.

@@ -3,20 +3,17 @@
 use super::known::{Document, Known, Valued, name_around};
 use crate::alarms;
 use probewright_core::app;
-use probewright_core::diagnostic::Code;
 use probewright_core::foreign;
 use probewright_core::form::{Choice, Entry, Field, Group};
 use probewright_core::message::Message;
 use probewright_core::program::calls::CallSite;
 use probewright_core::program::lists::list_call;
+use probewright_core::program::r_parameters::is_of_call;
 use probewright_core::report::alarms::named;
 use probewright_core::report::explain;
 use probewright_core::report::findings::finding;
 use probewright_core::report::foreign::parameter;
 use probewright_core::words::Words;
-
-/// The finding of a measuring call of an 840C.
-const OLDER: Code = Code::Own(210);
 
 /// What there is to say at a byte, in the layout of `probewright explain`: lines, those of a list two blanks in.
 pub fn at(document: &Document, known: &Known, at: u32, words: &Words) -> Option<String> {
@@ -40,7 +37,7 @@ pub fn at(document: &Document, known: &Known, at: u32, words: &Words) -> Option<
 
 /// An R parameter or a measuring call in a program with measuring calls of an 840C; a subprogram of older programs.
 fn of_older(known: &Known, name: &str, words: &Words) -> String {
-    let is_840c = || known.found.iter().any(|one| one.code == OLDER);
+    let is_840c = || known.found.iter().any(is_of_call);
     let counts = name.to_ascii_uppercase().starts_with("CYCLE") || is_840c();
     if counts { explain::older(name, words) } else { String::new() }
 }
