@@ -6,9 +6,9 @@ const FOLDER = "./book/";
 /** Where the service worker keeps its files (vite.config.ts). */
 const KEPT = "handbook";
 
-/** Its first page, in the language that is spoken. */
-export function handbook(): string {
-  return `${FOLDER}${language()}/index.html`;
+/** Its first page, in the language that is spoken; none in the frame of an editor, which brings the page alone. */
+export function handbook(): string | null {
+  return parent === window ? `${FOLDER}${language()}/index.html` : null;
 }
 
 /**

@@ -97,6 +97,7 @@ function ofView(
     title: t(`theme-${theme}`),
     run: () => store.update({ page: { theme } }),
   }));
+  const book = handbook();
   const spoken = languages().filter(one => one !== language());
   return [
     ...PANELS.map(panel => ({
@@ -134,7 +135,7 @@ function ofView(
       },
     },
     { id: "help", title: t("help-open"), run: actions.help },
-    { id: "handbook", title: t("handbook-open"), run: () => void open(handbook(), "_blank", "noopener") },
+    ...(book ? [{ id: "handbook", title: t("handbook-open"), run: () => void open(book, "_blank", "noopener") }] : []),
     { id: "terms", title: t("terms-title"), run: () => does.terms() },
     { id: "machine", title: t("profile-edit"), run: does.machine },
     { id: "setup-import", title: t("profile-import"), run: does.importSetup },

@@ -87,11 +87,11 @@ function entry(of: IconName, words: string, run: () => void, sort = ""): HTMLBut
   return node;
 }
 
-/** The handbook, beside the work; in the frame of an editor there is none. */
+/** The handbook, beside the work. */
 function handbookLink(): HTMLAnchorElement | null {
-  if (parent !== window) return null;
-  const way = { href: handbook(), target: "_blank", rel: "noopener" };
-  const node = el("a", way, icon("book"), el("span", {}, t("handbook-open")));
+  const href = handbook();
+  if (href === null) return null;
+  const node = el("a", { href, target: "_blank", rel: "noopener" }, icon("book"), el("span", {}, t("handbook-open")));
   on(node, "click", () => void keepHandbook());
   return node;
 }

@@ -15,15 +15,25 @@ pub struct Made {
     pub sections: Vec<Section>,
 }
 
-/// Makes a page of its text.
+/// Makes a page of its text; twice where a place of the page refers to another, which may come later.
 pub fn html(sources: &Sources, language: &Language, source: &Source) -> Result<Made> {
-    let mut writer = Writer::new(sources, language, source);
-    let options = Options::ENABLE_TABLES;
-    for event in TextMergeStream::new(Parser::new_ext(&source.markdown, options)) {
+    let made = written(Writer::new(sources, language, source))?;
+    if !source.markdown.contains(REFERENCE) {
+        return Ok(made);
+    }
+    let titles = made.sections.into_iter().map(|section| (section.title, section.id)).collect();
+    written(Writer { titles, ..Writer::new(sources, language, source) })
+}
+
+fn written(mut writer: Writer<'_>) -> Result<Made> {
+    for event in TextMergeStream::new(Parser::new_ext(&writer.source.markdown, Options::ENABLE_TABLES)) {
         writer.event(event)?;
     }
     Ok(Made { body: writer.html, sections: writer.outline.sections })
 }
+
+/// Before titles of the same page, with commas between them: `→ Setpoint, Measuring path`.
+const REFERENCE: &str = "→ ";
 
 const STRONG: &str = "<strong>";
 
@@ -49,6 +59,8 @@ struct Writer<'a> {
     within: usize,
     /// Where the picture is that is being written.
     picture: String,
+    /// Titles on this page, and their ids.
+    titles: Vec<(String, String)>,
 }
 
 impl<'a> Writer<'a> {
@@ -67,6 +79,7 @@ impl<'a> Writer<'a> {
             head: false,
             within: 0,
             picture: String::new(),
+            titles: Vec::new(),
         }
     }
 
@@ -258,12 +271,47 @@ impl<'a> Writer<'a> {
         self.outline.add(&told.map(String::as_str).collect::<Vec<_>>().join(" · "), named);
     }
 
-    /// Text, with links from the names in it.
+    /// Text, with links from the titles and names in it.
     fn text(&mut self, text: &str) {
         self.text.push_str(text);
         if self.within > 0 {
             return self.put(&escaped(text));
         }
+        match text.split_once(REFERENCE).filter(|_| !self.titles.is_empty()) {
+            Some((before, rest)) => {
+                self.words(before);
+                self.put(REFERENCE);
+                let rest = self.references(rest);
+                self.words(rest);
+            }
+            None => self.words(text),
+        }
+    }
+
+    /// Links to the titles with which a text begins; gives what follows them.
+    fn references<'t>(&mut self, text: &'t str) -> &'t str {
+        let mut rest = text;
+        loop {
+            let begins = |title: &str| {
+                rest.strip_prefix(title).is_some_and(|behind| !behind.starts_with(|c: char| c.is_alphanumeric()))
+            };
+            let found = self.titles.iter().filter(|(title, _)| begins(title)).max_by_key(|(title, _)| title.len());
+            let Some((title, id)) = found else { return rest };
+            let (link, length) = (format!("<a href=\"#{id}\">{}</a>", escaped(title)), title.len());
+            self.put(&link);
+            rest = &rest[length..];
+            match rest.strip_prefix(", ") {
+                Some(next) => {
+                    self.put(", ");
+                    rest = next;
+                }
+                None => return rest,
+            }
+        }
+    }
+
+    /// Text with links from names of cycles and alarms.
+    fn words(&mut self, text: &str) {
         for piece in text.split_inclusive(|c: char| !c.is_ascii_alphanumeric()) {
             let word = piece.trim_end_matches(|c: char| !c.is_ascii_alphanumeric());
             let joined = is_joined(text, piece);

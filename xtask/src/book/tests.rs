@@ -140,6 +140,16 @@ fn names_of_cycles_and_alarms_lead_to_them() {
 
 // oracle: hand
 #[test]
+fn what_a_page_refers_to_on_itself_is_a_link() {
+    let made =
+        alone("# T\n\n**A**: One. → Wear (D), B, Wear, C (`x`)\n\n**B**: 2.\n\n**Wear**: 3.\n\n**Wear (D)**: 4.\n");
+    let links =
+        "→ <a href=\"#wear-d\">Wear (D)</a>, <a href=\"#b\">B</a>, <a href=\"#wear\">Wear</a>, C (<code>x</code>)";
+    assert!(made.body.contains(links), "{}", made.body);
+}
+
+// oracle: hand
+#[test]
 fn ways_lead_from_folder_to_folder() {
     assert_eq!(relative("en/alarms.html", "de/alarms.html"), "../de/alarms.html");
     assert_eq!(relative("en/cycles/A.html", "en/cycles/B.html"), "B.html");
