@@ -5,15 +5,17 @@
 
 mod canvas;
 
+use super::view::extent;
 use super::*;
 use crate::catalogue::CYCLES;
 use crate::catalogue::example::choosing;
-use crate::control::delivery;
+use crate::control::{MachineSort, Plane, delivery};
 use crate::dialect::Dialect;
 use crate::entry::{Aim, Cycle, Element, How, ProbeUse, Variant};
+use crate::picture::ShapeKind;
 use crate::scene::mesh::Mesh;
 use crate::scene::solid::figure;
-use crate::workpiece::PartErrors;
+use crate::workpiece::{PartErrors, Shape, Solid};
 use canvas::{Canvas, SIZE as DOTS};
 use serde_json::{Map, Value, json};
 use std::collections::BTreeMap;
