@@ -13,6 +13,9 @@ const here = (path: string): string => fileURLToPath(new URL(path, import.meta.u
 // `@pkg` is what `cargo xtask` built from Rust: core, preview-webgpu, preview-webgl.
 const first = ask(here("../pkg/core"));
 
+/** Its files, but for the lists of them. */
+const HANDBOOK = /\/book\/([\w/-]+\.html|[\w-]+\.(js|css|svg|woff2|png))$/;
+
 export default defineConfig({
   base: "./",
   resolve: { alias: { "@pkg": here("../pkg") } },
@@ -35,6 +38,10 @@ export default defineConfig({
         maximumFileSizeToCacheInBytes: 8_000_000,
         inlineWorkboxRuntime: true,
         sourcemap: false,
+        // The handbook is no part of the page and of what a first visit waits for: what is asked of it is kept
+        // (`src/handbook.ts` asks for all of it), shown from there, and brought up to date behind that.
+        navigateFallbackDenylist: [HANDBOOK],
+        runtimeCaching: [{ urlPattern: HANDBOOK, handler: "StaleWhileRevalidate", options: { cacheName: "handbook" } }],
         clientsClaim: true,
       },
       manifest,

@@ -21,6 +21,7 @@ const LATER_FILES = [
 ].map(name => `${name}.ftl`);
 const OF_CYCLE = /^cycle\d+\.ftl$/;
 const TERMINAL = "report.ftl"; // never shown in the page
+const HANDBOOK = "book.ftl"; // of the page's words, those of the handbook alone
 
 type Part = "first" | "later" | "help";
 
@@ -52,7 +53,10 @@ export function words(core: string, page: string, firstCycle: Promise<string>): 
           return part !== null && wanted.includes(part);
         }),
       );
-    const ofPage = (file: string): Part => (LATER_FILES.includes(file) ? "later" : "first");
+    const ofPage = (file: string): Part | null => {
+      if (file === HANDBOOK) return null;
+      return LATER_FILES.includes(file) ? "later" : "first";
+    };
     return [...said(core, (file, message) => partOf(file, message, first)), ...said(page, ofPage)].join("\n");
   }
 

@@ -8,7 +8,7 @@ import { fileURLToPath } from "node:url";
 const root = fileURLToPath(new URL("../../www/src/", import.meta.url));
 // From the bottom to the top; the files of `src` itself are the ground.
 const ROOMS = [
-  ...[".", "core", "editor", "preview", "state", "scan", "desk", "search", "start", "scenarios"],
+  ...[".", "core", "editor", "preview", "state", "scan", "desk", "search", "book", "start", "scenarios"],
   ...["views", "jog", "page"],
 ];
 

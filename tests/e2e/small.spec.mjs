@@ -76,8 +76,8 @@ describe("little room", () => {
   // The page's own actions, and a dialog of theirs.
   const actions = async (page, phone) => {
     await openPageMenu(page);
-    const all = page.locator("#page-actions, .top-actions").locator("button:visible, select:visible");
-    await counts(all, phone ? 13 : 10);
+    const all = page.locator("#page-actions, .top-actions").locator(":is(button, select, a):visible");
+    await counts(all, phone ? 14 : 11);
     for (const one of await all.all()) assert.ok(await reachable(one), await one.textContent());
     await page.locator("#page-actions button").last().click();
     const dialog = page.locator("dialog[open]");

@@ -119,8 +119,8 @@ fn below(chapter: &Chapter) -> impl Iterator<Item = &'static Chapter> {
 
 fn page(served: &Served) -> String {
     let mut text =
-        "# What the manuals say, and where it is here\n\nEach chapter of the three manuals with what serves it: \
-                    generated from the places that the code cites; do not edit. A heading without a text of its own is \
+        "# What the manuals say, and where it is here\n\nEach chapter of the three manuals with what serves it. \
+                    Generated from the places that the code cites; do not edit. A heading without a text of its own is \
                     served by the chapters below it.\n"
             .to_owned();
     for (letter, title, _) in MANUALS {

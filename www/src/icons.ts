@@ -3,6 +3,7 @@
 
 import { guard } from "lit-html/directives/guard.js";
 import ArrowRight from "lucide/dist/esm/icons/arrow-right.mjs";
+import Book from "lucide/dist/esm/icons/book-open.mjs";
 import Box from "lucide/dist/esm/icons/box.mjs";
 import Check from "lucide/dist/esm/icons/check.mjs";
 import ChevronDown from "lucide/dist/esm/icons/chevron-down.mjs";
@@ -59,6 +60,7 @@ import { svg } from "./dom";
 
 const ICONS = {
   alert: CircleAlert,
+  book: Book,
   calls: ListTree,
   check: Check,
   close: X,

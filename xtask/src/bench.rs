@@ -7,6 +7,7 @@ use crate::{browser, dist, peers, serve};
 use anyhow::{Context, Result};
 use flate2::Compression;
 use flate2::write::GzEncoder;
+use std::collections::BTreeMap;
 use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -38,16 +39,23 @@ pub fn bench(options: &Options) -> Result<()> {
     sizes(&root().join("dist"))
 }
 
-/// Prints every file of a folder with its size as it is and gzipped.
+/// Prints every file of a folder with its size as it is and gzipped; of the handbook the sum of each of its folders.
 fn sizes(folder: &Path) -> Result<()> {
     let mut files = Vec::new();
     collect(folder, &mut files)?;
-    files.sort();
+    let mut sizes: BTreeMap<&Path, (usize, usize)> = BTreeMap::new();
+    for path in &files {
+        let bytes = fs::read(path)?;
+        let name = path.strip_prefix(folder).unwrap_or(path);
+        let of_book = name.starts_with("book") && name.components().count() > 2;
+        let line = if of_book { name.ancestors().nth(name.components().count() - 2).unwrap_or(name) } else { name };
+        let (plain, packed) = sizes.entry(line).or_default();
+        *plain += bytes.len();
+        *packed += gzipped(&bytes)?;
+    }
     println!("{:>12} {:>12}  file", "bytes", "gzipped");
-    for path in files {
-        let bytes = fs::read(&path)?;
-        let name = path.strip_prefix(folder).unwrap_or(&path);
-        println!("{:>12} {:>12}  {}", bytes.len(), gzipped(&bytes)?, name.display());
+    for (name, (plain, packed)) in sizes {
+        println!("{plain:>12} {packed:>12}  {}", name.display());
     }
     Ok(())
 }

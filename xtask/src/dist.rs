@@ -2,11 +2,11 @@
 
 use crate::steps::Steps;
 use crate::wasm::Make;
-use crate::{editor, package, page, tools, wasm};
+use crate::{book, editor, package, page, tools, wasm};
 use anyhow::Result;
 
 /// Of how many steps [`build`] is.
-pub const STEPS: usize = 4 + wasm::STEPS;
+pub const STEPS: usize = 5 + wasm::STEPS;
 
 /// Gets what is missing and builds `dist/`.
 pub fn build(steps: &mut Steps, make: Make) -> Result<()> {
@@ -16,6 +16,7 @@ pub fn build(steps: &mut Steps, make: Make) -> Result<()> {
     })?;
     wasm::build(steps, make)?;
     steps.run("page", page::build)?;
+    steps.run("handbook", || book::build(&tools::root().join("dist/book")))?;
     steps.run("npm package", || if make == Make::Small { package::pack() } else { Ok(()) })?;
     steps.run("extension", || if make == Make::Small { editor::pack() } else { Ok(()) })
 }

@@ -29,8 +29,9 @@ const KINDS: &[(&str, &str)] = &[
 ];
 /// In the folder of the extension, and not in the package.
 const LEFT_OUT: &[&str] = &["package-lock.json", ".package-lock.json", ".bin"];
-/// Of the page: the extension serves it anew with each start, so nothing is to keep it.
-const OF_THE_PAGE: &[&str] = &["sw.js"];
+/// Of the page: the extension serves it anew with each start, so nothing is to keep it; a form has no way to the
+/// handbook.
+const OF_THE_PAGE: &[&str] = &["sw.js", "book"];
 
 /// Packs `pkg/probewright-VERSION.vsix`, out of `editors/vscode/` and `dist/`.
 pub fn pack() -> Result<()> {

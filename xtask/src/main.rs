@@ -1,6 +1,7 @@
-//! `cargo xtask serve | test | dist | bench | fuzz | corpus`: gets what is missing, builds, serves, tests.
+//! `cargo xtask serve | test | dist | book | bench | fuzz | corpus`: gets what is missing, builds, serves, tests.
 
 mod bench;
+mod book;
 mod browser;
 mod corpus;
 mod counts;
@@ -34,6 +35,8 @@ enum Task {
     Test(test::Options),
     /// Build the folder dist/ that any static file server can serve
     Dist,
+    /// Build only the handbook that belongs to dist/
+    Book(book::Options),
     /// Measure speed and size, native and in the browser
     Bench(bench::Options),
     /// Look for a program that breaks the reader or the interpreter
@@ -59,6 +62,7 @@ fn main() -> ExitCode {
         Task::Serve(options) => serve::serve(&options).map(|()| true),
         Task::Test(options) => test::test(&options),
         Task::Dist => dist::dist().map(|()| true),
+        Task::Book(options) => book::book(&options).map(|()| true),
         Task::Bench(options) => bench::bench(&options).map(|()| true),
         Task::Fuzz(options) => fuzz::fuzz(&options).map(|()| true),
         Task::Corpus(options) => corpus::corpus(&options).map(|()| true),

@@ -3,6 +3,7 @@
 use crate::tools::{command, node, npm, root, run, step};
 use anyhow::{Context, Result};
 use std::fs;
+use std::path::Path;
 use std::process::Command;
 
 /// Gets the npm packages, only when they are missing or the lock file changed since.
@@ -23,6 +24,13 @@ pub fn packages() -> Result<()> {
 /// Builds `dist/` from `www/` and `pkg/`.
 pub fn build() -> Result<()> {
     run(&mut script("vite/bin/vite.js", &["build", "--logLevel", "warn"]))
+}
+
+/// Builds script, style and type of the handbook into its folder.
+pub fn book(folder: &Path) -> Result<()> {
+    let folder = folder.to_str().context("the path of the handbook is not Unicode")?;
+    let options = ["build", "--config", "vite.book.config.ts", "--outDir", folder, "--logLevel", "warn"];
+    run(&mut script("vite/bin/vite.js", &options))
 }
 
 /// Checks the types of the page's sources.

@@ -84,6 +84,7 @@ theme-light = Farben: hell
 theme-dark = Farben: dunkel
 theme-contrast = Farben: hoher Kontrast
 menu = Menü
+handbook-open = Handbuch
 about-open = Info
 
 tasks-title = Messaufgabe

@@ -84,6 +84,7 @@ theme-light = Theme: light
 theme-dark = Theme: dark
 theme-contrast = Theme: high contrast
 menu = Menu
+handbook-open = Handbook
 about-open = About
 
 tasks-title = Measuring task

@@ -84,6 +84,7 @@ theme-light = 外观：浅色
 theme-dark = 外观：深色
 theme-contrast = 外观：高对比度
 menu = 菜单
+handbook-open = 手册
 about-open = 关于
 
 tasks-title = 选择测量任务

@@ -9,6 +9,7 @@ import { lastKnown, meant, type Seen } from "../desk/meaning";
 import { createPractice } from "../desk/practice";
 import { suited } from "../desk/program";
 import { createEditorPlace } from "../editor/place";
+import { keepHandbook } from "../handbook";
 import { createJob, painted } from "../pace";
 import { createScanner } from "../scan/scanner";
 import { save } from "../state/keep";
@@ -58,7 +59,10 @@ export async function startApp(stored: Flat | null, returned: boolean): Promise<
   const calm = createCalm();
   void calm.comes.then(() => {
     void import("../styles/fonts.css").catch(console.error);
-    afterLoad(() => void watchForUpdate(store));
+    afterLoad(() => {
+      void watchForUpdate(store);
+      setTimeout(() => void keepHandbook(), HANDBOOK_AFTER);
+    });
   });
   const packed = packedWork();
   const framed = parent !== window && location.hash === "#framed";
@@ -108,6 +112,7 @@ export async function startApp(stored: Flat | null, returned: boolean): Promise<
   calm.begin();
 }
 
+const HANDBOOK_AFTER = 20_000; // ms: what the user waits for comes first, however slow the line
 const PATIENCE = 1500; // ms that editor, stage and types wait for the first result
 
 /** The time when form and result stand, and everything else may come. */

@@ -3,6 +3,7 @@
 import { type Actions, variantOf } from "../desk/actions";
 import { type Derived, findCycle } from "../desk/derive";
 import { practises } from "../desk/practice";
+import { handbook } from "../handbook";
 import { KEYS } from "../keys";
 import { nameOf } from "../language";
 import type { State } from "../state/state";
@@ -133,6 +134,7 @@ function ofView(
       },
     },
     { id: "help", title: t("help-open"), run: actions.help },
+    { id: "handbook", title: t("handbook-open"), run: () => void open(handbook(), "_blank", "noopener") },
     { id: "terms", title: t("terms-title"), run: () => does.terms() },
     { id: "machine", title: t("profile-edit"), run: does.machine },
     { id: "setup-import", title: t("profile-import"), run: does.importSetup },

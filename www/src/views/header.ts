@@ -5,6 +5,7 @@ import type { Actions } from "../desk/actions";
 import type { Derived } from "../desk/derive";
 import { practises } from "../desk/practice";
 import { el, keyed, on, setAttribute, setText, show } from "../dom";
+import { handbook, keepHandbook } from "../handbook";
 import { type IconName, icon } from "../icons";
 import { ariaKey } from "../keys";
 import { nameOf } from "../language";
@@ -86,6 +87,15 @@ function entry(of: IconName, words: string, run: () => void, sort = ""): HTMLBut
   return node;
 }
 
+/** The handbook, beside the work; in the frame of an editor there is none. */
+function handbookLink(): HTMLAnchorElement | null {
+  if (parent !== window) return null;
+  const way = { href: handbook(), target: "_blank", rel: "noopener" };
+  const node = el("a", way, icon("book"), el("span", {}, t("handbook-open")));
+  on(node, "click", () => void keepHandbook());
+  return node;
+}
+
 /** What stands in the menu of a phone alone: it has no tab, or no room in the first line. */
 const PHONE = "on-phone";
 
@@ -151,6 +161,7 @@ export function createHeader(
       entry("print", "print-sheet", () => void later()?.paper("sheet")),
       entry("print", "print-report", () => void later()?.paper("report")),
       entry("good", "scenarios-open", ways.scenarios.open),
+      handbookLink(),
       entry("info", "about-open", () => about.showModal()),
     ],
     [icon("menu")],

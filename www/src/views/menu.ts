@@ -10,7 +10,7 @@ import { icon } from "../icons";
 export function createMenu(
   id: string,
   label: string,
-  entries: readonly HTMLElement[],
+  entries: readonly (HTMLElement | null)[],
   face: readonly (Node | string)[] = [icon("more")],
   attributes: Attributes = {},
 ): { button: HTMLButtonElement; list: HTMLElement } {
@@ -34,7 +34,7 @@ export function createMenu(
     place(list, (all.find(one => one.checkVisibility()) ?? button).getBoundingClientRect());
   });
   on(list, "click", event => {
-    if (event.target instanceof Element && event.target.closest("button:not([data-stays])")) list.hidePopover();
+    if (event.target instanceof Element && event.target.closest("button:not([data-stays]), a")) list.hidePopover();
   });
   on(list, "focusout", ({ relatedTarget: to }) => {
     if (to instanceof Element && !list.contains(to) && !to.closest(opens)) list.hidePopover();
