@@ -74,6 +74,19 @@ pub fn draw(inputs: &Inputs, staged: &Staged) -> Picture {
     drawn(&Views::of(&example, staged), &example, staged)
 }
 
+/// A call as it was carried out, in its real proportions, with the dimensions of its picture; none: its picture shows
+/// no cycle at work. `like`: a call as large as whose picture a mm is drawn, so that pictures can be compared.
+pub fn to_scale(source: &Source, like: &Inputs) -> Option<Picture> {
+    let inputs = source.call.as_ref()?;
+    let staged = inputs.cycle.picture.at_work()?;
+    let staging = Staging { scale: (staged.stage)(like).scale, then: None, ..(staged.stage)(inputs) };
+    let upright = staging.looks.first().is_some_and(|look| look.up[2] != 0.0);
+    let performed = Performed::done(inputs, staging, source);
+    let Laid { mut shapes, seen, .. } = laid(std::slice::from_ref(&performed), GAP);
+    shapes.extend((staged.marks)(inputs, &seen));
+    Some(Picture { view: if upright { View::Section } else { View::Plane }, shapes })
+}
+
 /// A cycle at work, laid out on the paper.
 struct Views {
     /// All that decides over them: they are made of this alone.
@@ -648,7 +661,7 @@ fn course(from: Mcs, to: Mcs, around: Option<&Around<Mcs>>) -> Vec<Mcs> {
 }
 
 /// Lower left and upper right corner of figures.
-fn extent(shapes: &[PictureShape]) -> [[f64; 2]; 2] {
+pub fn extent(shapes: &[PictureShape]) -> [[f64; 2]; 2] {
     let corners = |shape: &PictureShape| {
         let circle = shape.circle.map(|(centre, radius)| [-radius, radius].map(|by| centre.map(|part| part + by)));
         shape.points.iter().copied().chain(circle.into_iter().flatten()).collect::<Vec<_>>()
