@@ -5,6 +5,9 @@ mod performing;
 mod solid;
 mod view;
 
+pub use view::extent;
+
+use super::Source;
 use crate::catalogue::example::example;
 use crate::check;
 use crate::entry::stage::{SIZE, Seen, Staging};
@@ -56,6 +59,19 @@ pub fn draw(inputs: &Inputs, staged: &Staged) -> Picture {
     }
     let example = worked(inputs);
     drawn(&Views::of(&example, staged), &example, staged)
+}
+
+/// A call as it was carried out, in its real proportions, with the dimensions of its picture; none: its picture shows
+/// no cycle at work. `like`: a call as large as whose picture a mm is drawn, so that pictures can be compared.
+pub fn to_scale(source: &Source, like: &Inputs) -> Option<Picture> {
+    let inputs = source.call.as_ref()?;
+    let staged = inputs.cycle.picture.at_work()?;
+    let staging = Staging { scale: (staged.stage)(like).scale, then: None, ..(staged.stage)(inputs) };
+    let upright = staging.looks.first().is_some_and(|look| look.up[2] != 0.0);
+    let performed = Performed::done(inputs, staging, source);
+    let Laid { mut shapes, seen, .. } = laid(std::slice::from_ref(&performed), GAP);
+    shapes.extend((staged.marks)(inputs, &seen));
+    Some(Picture { view: if upright { View::Section } else { View::Plane }, shapes })
 }
 
 /// A cycle at work, laid out on the paper.

@@ -266,7 +266,7 @@ fn nearest(solids: &[&Solid], point: V3) -> Option<usize> {
 }
 
 /// Lower left and upper right corner of figures.
-pub(super) fn extent(shapes: &[PictureShape]) -> [[f64; 2]; 2] {
+pub fn extent(shapes: &[PictureShape]) -> [[f64; 2]; 2] {
     let corners = |shape: &PictureShape| {
         let circle = shape.circle.map(|(centre, radius)| [-radius, radius].map(|by| centre.map(|part| part + by)));
         shape.points.iter().copied().chain(circle.into_iter().flatten()).collect::<Vec<_>>()

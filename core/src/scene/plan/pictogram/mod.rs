@@ -5,7 +5,6 @@
 
 mod canvas;
 
-use super::view::extent;
 use super::*;
 use crate::catalogue::CYCLES;
 use crate::catalogue::example::choosing;
