@@ -28,7 +28,7 @@ type Part = "first" | "later" | "help";
 /** Where a message of the core belongs; help pages are long and read by few. `first`: the file of the first cycle. */
 function partOf(file: string, message: string, first: string): Part | null {
   if (file === TERMINAL) return null;
-  if (/^((jog-)?help|concept|term|commission|connection)-/.test(message)) return "help";
+  if (/^((jog-)?help|concept|term|commission|connection|compatibility|where)-/.test(message)) return "help";
   const later = LATER_FILES.includes(file) || (OF_CYCLE.test(file) && file !== first) || LATER_WORDS.test(message);
   return later ? "later" : "first";
 }

@@ -269,6 +269,8 @@ sentences! {
     OLDER_RESULT 213 Warning "older-result" "older-result-hint";
     OLDER_UNCLEAR 214 Warning "older-unclear" "older-unclear-hint";
     OLDER_SUBROUTINE 215 Note "older-subroutine" "";
+    OLDER_FACTOR 216 Note "older-factor" "";
+    OLDER_MISSING 217 Note "older-missing" "older-missing-hint";
 }
 
 #[cfg(all(test, feature = "cli"))]

@@ -35,6 +35,10 @@ describe("help", () => {
       "What it corrects",
       "What can go wrong",
     ]);
+    // oracle: manual B:12145-12406
+    await panel(page).getByText("Where is this on my control?").click();
+    await panel(page).getByText("Measurem. milling > Workpiece measure > Hole Shaft").waitFor();
+    await page.locator("#panel-help").focus();
     assert.ok(await page.locator(".panel-form .field").first().isVisible());
     await focused(page, "#panel-help");
     await page.keyboard.press("Escape");

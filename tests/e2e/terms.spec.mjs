@@ -46,6 +46,40 @@ describe("concepts, terms and commissioning", () => {
     await context.close();
   });
 
+  // oracle: manual B:1265-1284 (with the weighting factor 2 three parts are corrected); hand (with 10 none)
+  test("the picture of a concept follows what is dragged", async () => {
+    const { context, page, problems } = await start(chrome, { bypassCSP: true });
+    await command(page, "Concepts and terms");
+    const mean = page.locator("#concept-mean-value");
+    await mean.locator("summary").click();
+    await mean.getByText("3 of the ten parts").waitFor();
+    const shapes = mean.locator(".term-picture svg");
+    const before = await shapes.innerHTML();
+    await mean.getByRole("slider", { name: /Weighting factor/ }).press("End");
+    await mean.getByText("none of the ten parts").waitFor();
+    assert.notEqual(await shapes.innerHTML(), before);
+    const path = page.locator("#concept-measuring-path");
+    await path.locator("summary").click();
+    await path.locator(".term-picture .shape.touch").first().waitFor();
+    await path.getByRole("slider").press("Home");
+    await path.locator("output").getByText("1 mm").waitFor();
+    await accessible(page, "dialog[open]");
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
+  // oracle: manual A:13964-13968
+  test("versions that work together stand in a table", async () => {
+    const { context, page, problems } = await start(chrome, { bypassCSP: true });
+    await command(page, "Commissioning and upgrade");
+    await page.locator("#steps-path").selectOption({ label: "Versions that work together" });
+    const row = page.getByRole("row", { name: /^NCU 6.2/ });
+    assert.deepEqual(await row.getByRole("cell").allTextContents(), ["6.2", "yes", "no", "yes", "no", "any"]);
+    await accessible(page, "dialog[open]");
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
   // oracle: hand
   test("a step that is done is done when the page comes back", async () => {
     const { context, page, problems } = await start(chrome, { bypassCSP: true });

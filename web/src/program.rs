@@ -30,11 +30,29 @@ pub fn commissioning() -> String {
     json::text(&app::commissioning())
 }
 
+/// `CompatibilityRequest` → `CompatibilityView`.
+///
+/// # Errors
+/// A request of the wrong shape, or a machine that cannot be.
+#[wasm_bindgen]
+pub fn compatibility(request: &str) -> Result<String, JsError> {
+    Ok(json::answer(request, app::compatibility)?)
+}
+
 /// `TermsView`.
 #[wasm_bindgen]
 #[must_use]
 pub fn terms() -> String {
     json::text(&app::terms())
+}
+
+/// `ConceptRequest` → `ConceptPicture`.
+///
+/// # Errors
+/// A request of the wrong shape, or a concept without a picture.
+#[wasm_bindgen]
+pub fn concept_picture(request: &str) -> Result<String, JsError> {
+    Ok(json::answer(request, app::concept_picture)?)
 }
 
 #[wasm_bindgen(inline_js = "

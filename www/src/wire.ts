@@ -666,6 +666,72 @@ export type ComparedValue = {
   after: string | null,
 };
 
+/** For which machine the versions are asked. */
+export type CompatibilityRequest = {
+  /** Machine; absent: none in particular. */
+  setup?: Machine,
+};
+
+/** Software of a component. */
+export type CompatibilityRow = {
+  /** NCU, CCU or operator panel. */
+  component: string,
+  /** Version of its software. */
+  version: string,
+  /** Whether each function works with it. */
+  works: Array<Message>,
+  /** Whether the machine may have it. */
+  here: boolean,
+  /** Place in the manual. */
+  source: Cited,
+};
+
+/** Which versions work together. */
+export type CompatibilityView = {
+  /** What works with a software or not. */
+  functions: Array<Message>,
+  /** Software of the components, those of a component together. */
+  rows: Array<CompatibilityRow>,
+  /** What the machine says of its software. */
+  told: Message,
+};
+
+/** What is dragged in the picture of a concept. */
+export type ConceptExample = {
+  /** Name of the parameter; empty: it is none. */
+  name: string,
+  /** What it is, in words. */
+  label: Message,
+  /** Unit of its values. */
+  unit: string,
+  /** Least value. */
+  from: number,
+  /** Greatest value. */
+  to: number,
+  /** Value with which the picture begins. */
+  value: number,
+  /** Smallest step. */
+  step: number,
+};
+
+/** The picture of a concept. */
+export type ConceptPicture = {
+  /** The same paper for each value: what grows is seen to grow. */
+  picture: Picture,
+  /** Values of its parameters. */
+  values: { [key in string]: string },
+  /** What it comes to. */
+  told?: Message,
+};
+
+/** Which picture. */
+export type ConceptRequest = {
+  /** The concept. */
+  concept: string,
+  /** What is dragged, in its unit; beyond an end of its range that end counts. */
+  value: number,
+};
+
 /** A concept with its page. */
 export type ConceptView = {
   /** By which a field names it. */
@@ -680,6 +746,8 @@ export type ConceptView = {
   names: Array<string>,
   /** Place in the manual. */
   source: Cited,
+  /** Its live picture; absent: no picture carries it. */
+  example?: ConceptExample,
 };
 
 /** A connection. */
@@ -1413,6 +1481,8 @@ export type HelpView = {
   results: Array<HelpResult>,
   /** Alarms that can come. */
   alarms: Array<AlarmInfo>,
+  /** Where it is on the control, or why it is not. */
+  places: Array<HelpText>,
 };
 
 /**
@@ -1592,6 +1662,8 @@ export type MachineField = {
   value: string,
   /** As delivered; empty: not known. */
   fallback: string,
+  /** What is to be said of its value as it counts; absent: nothing. */
+  warned?: Diagnostic,
   /** As a program writes it: `_WP[0,1]`, `MD18600`. */
   name: string,
   /** Key of its name; `.help`, and `.v0`, `.v1`, … of a choice, may stand behind it. */
@@ -2917,6 +2989,10 @@ export type Scenario = {
   arguments?: { [key in string]: Datum },
   /** Whether what is not there stops the run: a subprogram, a value that only the machine has. */
   strict?: boolean,
+  /** How it is carried out; absent: in AUTOMATIC. */
+  mode?: RunMode,
+  /** Line, from 1, up to which a block search goes; absent: the whole program is searched through. */
+  target?: number,
   /** The machine with its probe, as a setup file describes it. */
   setup: Setup,
   /** What is carried out, each from the beginning. */

@@ -365,3 +365,18 @@ connection-nct-2 = NCT: Werkzeugmesstaster angeschlossen
 connection-nct-2-is = Signal, dass der Werkzeugmesstaster angeschlossen ist. Fehlt es, meldet das Makro MEASURING DEVICE?: Stecker prüfen.
 connection-nct-3 = NCT: Messtaster
 connection-nct-3-is = Werkstückmesstaster über die passende Schnittstellenelektronik an die Steuerung anschließen. Den Stecker beschreibt das Handbuch nicht. Muss der Messtaster geschaltet werden, schaltet ihn das PLC-Programm mit M59 ein, das auch die Spindel orientiert, und mit M55 aus.
+
+# Welche Versionen zusammenarbeiten.
+report-compatibility = Versionen, die zusammenarbeiten
+compatibility-component = Komponente
+compatibility-version = Software
+compatibility-cycles-54 = Zyklen SW 5.3/5.4
+compatibility-cycles-62 = Zyklen ab SW 6.2
+compatibility-jog-54 = JOG SW 5.3/5.4
+compatibility-jog-62 = JOG ab SW 6.2
+compatibility-support-62 = Masken ab SW 6.2
+compatibility-yes = ja
+compatibility-no = nein
+compatibility-any = beliebig
+compatibility-here = { $name } der Maschine nennt Software { $version }: Die betreffenden Zeilen sind markiert.
+compatibility-unknown = Die Maschine nennt ihre Softwareversion nicht: { $name } ist nicht gesetzt.

@@ -336,3 +336,13 @@ concept-overview-turning-2 = CYCLE982 misst Drehwerkzeuge, Bohrer und Fräser am
 concept-overview-turning-3 = CYCLE974 misst einen Punkt: einen Durchmesser von einer Seite, eine Stirnfläche oder eine Länge. Mit Umschlag dreht die Spindel das Werkstück um 180°, die Rundlaufabweichung hebt sich auf.
 concept-overview-turning-4 = CYCLE994 misst einen Durchmesser an zwei gegenüberliegenden Punkten. Er fährt außen um das Werkstück oder durch die Bohrung zur anderen Seite.
 concept-overview-turning-5 = Häufiger Fehler: Radius und Durchmesser verwechselt. Mit DIAMON ist der Sollwert in X ein Durchmesser, _FA und die Korrektur einer Länge dagegen nicht.
+
+# Bilder zum Ziehen: was gezogen wird und was herauskommt.
+concept-drag-difference = Differenz
+concept-drag-feed = Messvorschub
+concept-told-mean = { $count ->
+        [0] Mit diesem Wichtungsfaktor führt keines der zehn Teile zu einer Korrektur.
+        [one] Eines der zehn Teile führt zu einer Korrektur. Danach beginnt der Mittelwert wieder bei 0.
+       *[other] { $count } der zehn Teile führen zu einer Korrektur. Danach beginnt der Mittelwert jeweils wieder bei 0.
+    }
+concept-told-empirical = Die gemessene Differenz { $measured } mm zählt als { $counts } mm.

@@ -35,3 +35,19 @@ help-uncalibrated = Der Messtaster muss nicht kalibriert sein; er schaltet in al
 help-turned-over = Den ersten Punkt tastet der Zyklus mit um 180° gedrehter Spindel an, dann in der ursprünglichen Spindelstellung. Es gilt der Mittelwert: Die Lageabweichung hebt sich auf.
 help-turned-over-stored = Der Zyklus speichert in _WP auch die Lageabweichung und den Triggerpunkt dieser Richtung samt Lageabweichung. Sie gelten nur für diese Spindelstellung.
 help-no-spindle = Die Spindel lässt sich nicht positionieren: Alarm 61372.
+
+# Wo eine Maske auf der Steuerung ist.
+where-title = Wo ist das an meiner Steuerung?
+where-from = Diese Maske gibt es ab Messzyklen SW { $version }.
+where-editor = Programmeditor, Messzyklen ab SW 6.2: { $softkeys }.
+where-older = Programmeditor, Messzyklen bis SW 5.4: { $softkeys }. Die Unterstützung schreibt { $call }().
+where-older-call = Programmeditor, Messzyklen bis SW 5.4: Die Unterstützung schreibt { $call }(). Die Softkeys dazu druckt das Handbuch nicht ab.
+where-jog = In JOG: Werkstück messen > { $area } > { $mask }.
+where-jog-tool = In JOG: { $mask }.
+where-settings = Inbetriebnahme > Messzyklen > Automatisch messen legt fest, was die Masken anbieten (_MZ_MASK). Fehlen die Softkeys, siehe Schritte der Inbetriebnahme.
+where-files = Dateien der Masken auf HMI Advanced: MCSUPP.COM, AEDITOR.COM, STARTUP.COM.
+where-files-older = Dateien bis SW 5.4: MCSUPP_1.COM und MCSUPP_2.COM mit COV.COM (Softkeys), SC.COM (Masken) und den Hilfszyklen.
+where-none-replaced = Ab SW 6.2 gibt es keine Maske. Die Maske zur Werkzeugmessung an Drehmaschinen verwenden oder den Aufruf schreiben.
+where-none-log = Es gibt keine Maske. Den Aufruf ins Programm schreiben; das Protokoll selbst wird in seinen Anwenderdaten eingestellt.
+where-none-helper = Es gibt keine Maske. Den Aufruf ins Programm schreiben.
+where-none-block = Es gibt keine Maske. Den Satz ins Programm schreiben oder in MDI eingeben.

@@ -327,5 +327,5 @@ report-commissioning-softkeys = Softkeys und Zeilen
 report-commissioning-files = Dateien
 report-commissioning-versions = Versionen
 report-column-signal = Signal
-terminal-commissioning-about = Schritte der Inbetriebnahme oder Hochrüstung der Messzyklen auflisten, oder die Anschlüsse der Messtaster
-terminal-commissioning-way-text = Weg: einer von denen, die ohne ihn aufgelistet werden, oder connections
+terminal-commissioning-about = Schritte der Inbetriebnahme oder Hochrüstung der Messzyklen, Anschlüsse der Messtaster oder Versionen auflisten, die zusammenarbeiten
+terminal-commissioning-way-text = Weg: einer, der ohne Angabe aufgelistet wird, connections oder compatibility

@@ -136,3 +136,4 @@ run-skipped-simulation = { $word } wird übersprungen: Simulation mit _MC_SIMSIM
 run-jobshop = { $word } wird simuliert: Er misst, korrigiert aber nichts, zeigt kein Ergebnis und protokolliert nicht.
 run-deviation = { $word } misst { NUMBER($deviation) } mm hinter der Berührung in Messrichtung (_MC_SIMDIFF).
 run-search-missed = Der Satzsuchlauf hat Zeile { $line } nicht erreicht: Alle Messzyklen wurden übersprungen.
+run-mode-none = NCT-Steuerungen haben die Betriebsart { $word } hier nicht: Das Programm lief wie in AUTOMATIK.

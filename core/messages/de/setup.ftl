@@ -25,6 +25,7 @@ document-ends = Der Text endet, bevor das JSON vollständig ist.
 document-syntax = Ab hier ist der Text kein JSON mehr.
 document-no-setup = Maschineneinrichtungen sind hier nicht lesbar.
 document-cycle = Es gibt keinen Zyklus „{ $name }“.
+document-concept = Zu „{ $name }“ gibt es mit diesem Wert kein Bild.
 document-call = Es gibt keinen Aufruf { $name }.
 document-form = Es gibt kein Format „{ $name }“.
 document-scan = { $name } kann nicht scannen.

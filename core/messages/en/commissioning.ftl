@@ -365,3 +365,18 @@ connection-nct-2 = NCT: tool probe connected
 connection-nct-2-is = Signal that the tool probe is connected. If it is missing, the macro reports MEASURING DEVICE?: check the plug.
 connection-nct-3 = NCT: stylus
 connection-nct-3-is = Connect the stylus to the control through the appropriate interface electronics. The manual does not describe the connector. If the stylus must be switched, the PLC program switches it on with M59, which also orients the spindle, and off with M55.
+
+# Which versions work together.
+report-compatibility = Versions that work together
+compatibility-component = Component
+compatibility-version = Software
+compatibility-cycles-54 = Cycles SW 5.3/5.4
+compatibility-cycles-62 = Cycles from SW 6.2
+compatibility-jog-54 = JOG SW 5.3/5.4
+compatibility-jog-62 = JOG from SW 6.2
+compatibility-support-62 = Masks from SW 6.2
+compatibility-yes = yes
+compatibility-no = no
+compatibility-any = any
+compatibility-here = { $name } of the machine says software { $version }: the rows concerned are marked.
+compatibility-unknown = The machine does not say its software version: { $name } is not set.

@@ -336,3 +336,13 @@ concept-overview-turning-2 = CYCLE982 measures turning tools, drills and mills o
 concept-overview-turning-3 = CYCLE974 measures one point: a diameter from one side, a face or a length. With reversal the spindle turns the part by 180°, and run-out cancels.
 concept-overview-turning-4 = CYCLE994 measures a diameter at two opposite points. It goes around the part or through the bore to the other side.
 concept-overview-turning-5 = Usual mistake: radius and diameter mixed up. With DIAMON the setpoint in X is a diameter, but _FA and the correction of a length are not.
+
+# Live pictures: what is dragged, and what it comes to.
+concept-drag-difference = Difference
+concept-drag-feed = Measuring feed
+concept-told-mean = { $count ->
+        [0] With this weighting factor none of the ten parts leads to a correction.
+        [one] One of the ten parts leads to a correction. The mean value then restarts at 0.
+       *[other] { $count } of the ten parts lead to a correction. After each, the mean value restarts at 0.
+    }
+concept-told-empirical = The measured difference { $measured } mm counts as { $counts } mm.

@@ -35,3 +35,19 @@ help-uncalibrated = The probe need not be calibrated; it switches in all directi
 help-turned-over = The first point is touched with the spindle rotated by 180°, then in the original spindle position. The mean value is used, so the skew cancels.
 help-turned-over-stored = The cycle also stores in _WP the skew, and the trigger point of this direction including the skew. They apply to this spindle position only.
 help-no-spindle = The spindle cannot be positioned: alarm 61372.
+
+# Where a form is on the control.
+where-title = Where is this on my control?
+where-from = This form is there from measuring cycles SW { $version }.
+where-editor = Program editor, measuring cycles from SW 6.2: { $softkeys }.
+where-older = Program editor, measuring cycles up to SW 5.4: { $softkeys }. The support writes { $call }().
+where-older-call = Program editor, measuring cycles up to SW 5.4: the support writes { $call }(). The manual does not print its softkeys.
+where-jog = In JOG: Measure workpiece > { $area } > { $mask }.
+where-jog-tool = In JOG: { $mask }.
+where-settings = Start-up > Measuring cycles > Automatic measuring sets what the masks offer (_MZ_MASK). If the softkeys are missing, see the steps of commissioning.
+where-files = Files of the masks on HMI Advanced: MCSUPP.COM, AEDITOR.COM, STARTUP.COM.
+where-files-older = Files up to SW 5.4: MCSUPP_1.COM and MCSUPP_2.COM with COV.COM (softkeys), SC.COM (masks) and the auxiliary cycles.
+where-none-replaced = From SW 6.2 there is no mask. Use the mask for tool measurement on lathes, or write the call.
+where-none-log = There is no mask. Write the call into the program; the log itself is set in its user data.
+where-none-helper = There is no mask. Write the call into the program.
+where-none-block = There is no mask. Write the block into the program, or enter it in MDI.

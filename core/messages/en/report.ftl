@@ -331,5 +331,5 @@ report-commissioning-softkeys = Softkeys and lines
 report-commissioning-files = Files
 report-commissioning-versions = Versions
 report-column-signal = Signal
-terminal-commissioning-about = List the steps of commissioning or upgrade of measuring cycles, or the connections of probes
-terminal-commissioning-way-text = Way: one that is listed without it, or connections
+terminal-commissioning-about = List the steps of commissioning or upgrade of measuring cycles, the connections of probes, or versions that work together
+terminal-commissioning-way-text = Way: one that is listed without it, connections or compatibility

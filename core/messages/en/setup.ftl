@@ -25,6 +25,7 @@ document-ends = The text ends before the JSON is complete.
 document-syntax = From this point the text is not valid JSON.
 document-no-setup = Machine setups cannot be read here.
 document-cycle = Cycle “{ $name }” does not exist.
+document-concept = There is no picture of “{ $name }” with this value.
 document-call = Call { $name } does not exist.
 document-form = Format “{ $name }” does not exist.
 document-scan = { $name } is not a scanning cycle.

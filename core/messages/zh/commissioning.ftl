@@ -365,3 +365,18 @@ connection-nct-2 = NCT：对刀仪已连接
 connection-nct-2-is = 表示对刀仪已连接的信号。信号缺失时，宏程序报告 MEASURING DEVICE?：请检查插头。
 connection-nct-3 = NCT：测针
 connection-nct-3-is = 测针经相应的接口电路接到控制系统。手册未说明插头。需要开关测针时，PLC 程序用 M59 接通测针（同时使主轴定向），用 M55 断开。
+
+# 哪些版本可以配合使用。
+report-compatibility = 可配合使用的版本
+compatibility-component = 组件
+compatibility-version = 软件
+compatibility-cycles-54 = 循环 SW 5.3/5.4
+compatibility-cycles-62 = 循环 SW 6.2 及以上
+compatibility-jog-54 = JOG SW 5.3/5.4
+compatibility-jog-62 = JOG SW 6.2 及以上
+compatibility-support-62 = 输入屏幕 SW 6.2 及以上
+compatibility-yes = 是
+compatibility-no = 否
+compatibility-any = 任意
+compatibility-here = 机床的 { $name } 指明软件版本 { $version }：相关行已标出。
+compatibility-unknown = 机床未指明软件版本：{ $name } 未设置。

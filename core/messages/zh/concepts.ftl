@@ -336,3 +336,12 @@ concept-overview-turning-2 = CYCLE982 在刀具测头上测量车刀、钻头和
 concept-overview-turning-3 = CYCLE974 测量一点：从一侧测直径、端面或长度。带换向时主轴把工件转过 180°，跳动抵消。
 concept-overview-turning-4 = CYCLE994 在相对的两点测量直径。测头从外部绕过工件，或穿过孔到另一侧。
 concept-overview-turning-5 = 常见错误：半径与直径混淆。DIAMON 有效时 X 的设定值是直径，而 _FA 和长度的补偿量不是。
+
+# 可拖动的图：拖动的量及其结果。
+concept-drag-difference = 差值
+concept-drag-feed = 测量进给率
+concept-told-mean = { $count ->
+        [0] 采用该加权系数时，十个工件均不引起补偿。
+       *[other] 十个工件中有 { $count } 个引起补偿。每次补偿后，平均值从 0 重新开始。
+    }
+concept-told-empirical = 测得的差值 { $measured } mm 按 { $counts } mm 计算。

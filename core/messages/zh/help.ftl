@@ -35,3 +35,19 @@ help-uncalibrated = 测头不必校准；它各方向都能触发，主轴可以
 help-turned-over = 第一点先在主轴转过 180° 时触碰，再在主轴原位置触碰。取平均值，因此位置偏差抵消。
 help-turned-over-stored = 位置偏差和此方向的触发点（其中含位置偏差）也存入 _WP，只对主轴当前的角度有效。
 help-no-spindle = 主轴不能定位：报警 61372。
+
+# 表单在控制系统上的位置。
+where-title = 在控制系统上的什么位置？
+where-from = 该表单从测量循环 SW { $version } 起提供。
+where-editor = 程序编辑器，测量循环 SW 6.2 及以上：{ $softkeys }。
+where-older = 程序编辑器，测量循环 SW 5.4 及以下：{ $softkeys }。循环支持写入 { $call }()。
+where-older-call = 程序编辑器，测量循环 SW 5.4 及以下：循环支持写入 { $call }()。手册未给出相应软键。
+where-jog = 在 JOG 中：测量工件 > { $area } > { $mask }。
+where-jog-tool = 在 JOG 中：{ $mask }。
+where-settings = “调试 > 测量循环 > 自动测量”设定输入屏幕提供的内容（_MZ_MASK）。如果没有这些软键，参见调试步骤。
+where-files = HMI Advanced 上输入屏幕的文件：MCSUPP.COM、AEDITOR.COM、STARTUP.COM。
+where-files-older = SW 5.4 及以下的文件：MCSUPP_1.COM 和 MCSUPP_2.COM，包含 COV.COM（软键）、SC.COM（输入屏幕）和辅助循环。
+where-none-replaced = SW 6.2 起没有输入屏幕。请使用车床刀具测量的输入屏幕，或直接写入调用。
+where-none-log = 没有输入屏幕。请将调用写入程序；记录本身在其用户数据中设置。
+where-none-helper = 没有输入屏幕。请将调用写入程序。
+where-none-block = 没有输入屏幕。请将程序段写入程序，或在 MDI 中输入。

@@ -327,5 +327,5 @@ report-commissioning-softkeys = 软键和行
 report-commissioning-files = 文件
 report-commissioning-versions = 版本
 report-column-signal = 信号
-terminal-commissioning-about = 列出测量循环调试或升级的步骤，或测头的接线
-terminal-commissioning-way-text = 途径：不带参数时列出的名称之一，或 connections
+terminal-commissioning-about = 列出测量循环调试或升级的步骤、测头接线，或可配合使用的版本
+terminal-commissioning-way-text = 途径：不带参数时列出的名称之一，或 connections、compatibility

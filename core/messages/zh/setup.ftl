@@ -25,6 +25,7 @@ document-ends = 文本提前结束，JSON 不完整。
 document-syntax = 从此处起文本不是有效的 JSON。
 document-no-setup = 此处无法读取机床配置。
 document-cycle = 没有循环“{ $name }”。
+document-concept = “{ $name }”没有与该值对应的图。
 document-call = 没有调用 { $name }。
 document-form = 没有格式“{ $name }”。
 document-scan = { $name } 不是扫描循环。

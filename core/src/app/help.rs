@@ -1,5 +1,6 @@
 //! The help page of a variant.
 
+use super::whereabouts::whereabouts;
 use super::{AlarmInfo, Error, cycle};
 use crate::catalogue::alarms::ALARMS;
 use crate::catalogue::help::HelpPage;
@@ -34,6 +35,8 @@ pub struct HelpView {
     pub results: Vec<HelpResult>,
     /// Alarms that can come.
     pub alarms: Vec<AlarmInfo>,
+    /// Where it is on the control, or why it is not.
+    pub places: Vec<HelpText>,
 }
 
 /// A section of a help page.
@@ -86,5 +89,6 @@ pub fn help(asked: HelpRequest) -> Result<HelpView, Error> {
         alarms: raised.map(AlarmInfo::of).collect(),
         results: page.results.into_iter().map(result).collect(),
         required: page.required,
+        places: whereabouts(cycle, asked.mvar),
     })
 }

@@ -1,7 +1,9 @@
 //! The machine as a form: its data with what they mean, and what was typed written into them.
 
 use super::Error;
+use super::finding::Finding;
 use super::start::{Machine, start};
+use crate::check;
 use crate::control::{Control, Units, Value, delivery_in, rebuilt};
 use crate::dialect::Dialect;
 use crate::entry::Typed;
@@ -79,6 +81,9 @@ pub struct MachineField {
     pub value: String,
     /// As delivered; empty: not known.
     pub fallback: String,
+    /// What is to be said of its value as it counts; absent: nothing.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub warned: Option<Finding>,
 }
 
 /// The machine with what was typed.
@@ -178,7 +183,8 @@ fn field(setting: Setting, control: &Control, delivered: &Control) -> MachineFie
         let key = array.trim_matches('_').to_lowercase().replace('_', "-");
         Message::new(format!("machine-field-{key}")).number("number", number as f64)
     });
-    MachineField { setting, set, value: if value == fallback { String::new() } else { value }, fallback }
+    let warned = check::braking::of_datum(control, &setting.name).map(|found| Finding::of(&found));
+    MachineField { setting, set, value: if value == fallback { String::new() } else { value }, fallback, warned }
 }
 
 /// A datum as it would be typed; empty where nothing is known of it.

@@ -13,6 +13,7 @@ mod catalogue;
 mod certainty;
 mod changes;
 mod commissioning;
+mod concept;
 mod definitions;
 mod edit;
 mod encoding;
@@ -47,6 +48,7 @@ mod trace;
 mod twin;
 mod unsimulated;
 mod user_programs;
+mod whereabouts;
 mod written;
 
 pub use crate::refused::Refused as Error;
@@ -65,7 +67,11 @@ pub use certainty::{
     WholeCertaintyRequest, certainty, certainty_of, whole_certainty,
 };
 pub use changes::Change;
-pub use commissioning::{CommissioningPath, CommissioningStep, CommissioningView, ConnectionView, commissioning};
+pub use commissioning::{
+    CommissioningPath, CommissioningStep, CommissioningView, CompatibilityRequest, CompatibilityRow, CompatibilityView,
+    ConnectionView, commissioning, compatibility,
+};
+pub use concept::{ConceptExample, ConceptPicture, ConceptRequest, concept_picture};
 pub use definitions::{
     DefinitionsRequest, DefinitionsText, DefinitionsView, MemoryNeed, MemoryShare, ReadBack, ReadBackRequest,
     definitions, read_back,
@@ -119,6 +125,7 @@ pub use trace::columns::{Columns, columns, others};
 pub use trace::{Trace, happened};
 pub use twin::{Shared, TwinView};
 pub use user_programs::{CYCLE, UserBranch, UserLabel, UserProgramsRequest, UserProgramsView, user_programs};
+pub use whereabouts::whereabouts;
 pub use written::WrittenFile;
 
 use crate::control::{Control, UnitFunction};

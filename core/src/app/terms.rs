@@ -1,9 +1,11 @@
 //! Concepts and terms of the manuals.
 
+use super::concept::{ConceptExample, example};
 use crate::manual::Cited;
 use crate::manual::explained::{CONCEPTS, Concept, TERMS, Term};
 use crate::message::Message;
 use serde::Serialize;
+use std::sync::LazyLock;
 
 /// All of them.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -17,7 +19,7 @@ pub struct TermsView {
 
 /// A concept with its page.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
 pub struct ConceptView {
     /// By which a field names it.
     pub id: &'static str,
@@ -31,6 +33,9 @@ pub struct ConceptView {
     pub names: Vec<&'static str>,
     /// Place in the manual.
     pub source: Cited,
+    /// Its live picture; absent: no picture carries it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub example: Option<ConceptExample>,
 }
 
 /// A term with its definition.
@@ -49,13 +54,16 @@ pub struct TermView {
     pub source: Cited,
 }
 
+/// The concepts, made once: what is dragged in each picture is a field of a form.
+static VIEWS: LazyLock<Vec<ConceptView>> = LazyLock::new(|| CONCEPTS.iter().map(concept).collect());
+
 /// Concepts and terms of the manuals.
 pub fn terms() -> TermsView {
-    TermsView { concepts: CONCEPTS.iter().map(concept).collect(), terms: TERMS.iter().map(term).collect() }
+    TermsView { concepts: VIEWS.clone(), terms: TERMS.iter().map(term).collect() }
 }
 
 fn concept(concept: &Concept) -> ConceptView {
-    let Concept { id, group, lines, names, source } = concept;
+    let Concept { id, group, lines, names, source, example: live } = concept;
     let line = |number| Message::new(format!("concept-{id}-{number}"));
     ConceptView {
         id,
@@ -64,6 +72,7 @@ fn concept(concept: &Concept) -> ConceptView {
         lines: (1..=*lines).map(line).collect(),
         names: names.clone(),
         source: *source,
+        example: live.as_ref().and_then(example),
     }
 }
 

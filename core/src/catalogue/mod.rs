@@ -63,6 +63,7 @@ pub mod r_parameters;
 pub(crate) mod shared_checks;
 pub(crate) mod shown_with;
 pub(crate) mod sinumerik;
+pub mod softkeys;
 pub(crate) mod spread;
 pub mod subroutines;
 mod suit;

@@ -6,7 +6,7 @@ use super::find;
 use crate::check;
 use crate::control::delivery;
 use crate::dialect::Dialect;
-use crate::entry::{Cycle, Inputs, Typed, names};
+use crate::entry::{Cycle, Inputs, Param, Typed, names};
 use crate::name::Name;
 
 /// Cycles for which a column with R parameters is printed, but CYCLE997, which is newer than the 840C (B:4112).
@@ -106,6 +106,10 @@ pub fn printed(cycle: &Cycle, number: u16) -> impl Iterator<Item = Name> {
     TABLE.iter().filter(move |(known, _, cycles)| *known == number && of(cycles)).map(|(_, name, _)| *name)
 }
 
+/// The measuring path, which earlier versions call the factor of the measuring path; its unit was 1 mm, so that the
+/// number stays (B:2247-2251, B:16629).
+pub const FACTOR: u16 = 28;
+
 /// A cycle in a variant.
 pub struct Called {
     cycle: &'static Cycle,
@@ -120,6 +124,19 @@ impl Called {
         let typed: Option<Typed> = known.map(|number| [(names::MVAR.to_string(), number.to_string())].into());
         let inputs = typed.map(|typed| check::read(cycle, &typed, &delivery(Dialect::Sinumerik), &mut Vec::new()));
         Called { cycle, inputs }
+    }
+
+    /// R parameters of the variant to which nothing gives a value, with their names and the values on delivery; those
+    /// that a call has to give are none of them.
+    pub fn left_out(&self, given: impl Fn(u16) -> bool) -> Vec<(u16, Name, f64)> {
+        let Some(inputs) = &self.inputs else { return Vec::new() };
+        let missing = |param: &Param| {
+            let number = numbers().find(|number| self.meant(*number) == [param.name])?;
+            let of_name = numbers().filter(|number| printed(self.cycle, *number).any(|name| name == param.name));
+            let delivered = param.default.filter(|_| param.need(inputs).is_some())?;
+            of_name.into_iter().all(|number| !given(number)).then_some((number, param.name, delivered))
+        };
+        self.cycle.params.iter().filter_map(missing).collect()
     }
 
     /// What an R parameter is here: none of its names, one, or several, of which the manual does not say which. A name

@@ -1,6 +1,6 @@
 //! Typed values → checked inputs and findings. The only way to [`Inputs`](crate::entry::Inputs).
 
-mod braking;
+pub mod braking;
 pub mod expression;
 mod finding;
 pub mod listed;

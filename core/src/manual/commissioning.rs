@@ -34,6 +34,34 @@ pub struct Connection {
     pub source: Cited,
 }
 
+/// Software of a component: which versions of the measuring cycles work with it (A:13938-13996).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Software {
+    /// NCU, CCU or operator panel.
+    pub component: &'static str,
+    /// Version of its software, `6.2`.
+    pub version: &'static str,
+    /// What works with it, in the order of [`FUNCTIONS`]; none: it does not matter for that.
+    pub works: [Option<bool>; 5],
+    /// Where the manuals tell of it.
+    pub source: Cited,
+}
+
+/// Ends of the keys of what works with a software or not: cycles, measuring in JOG, masks of the program editor.
+pub const FUNCTIONS: [&str; 5] = ["cycles-54", "cycles-62", "jog-54", "jog-62", "support-62"];
+
+/// The software of all components.
+pub static SOFTWARE: LazyLock<Vec<Software>> = LazyLock::new(|| {
+    let works = |cell: &str| (cell != "-").then_some(cell == "yes");
+    let software = |[component, version, a, b, c, d, e, source]: [&'static str; 8]| Software {
+        component,
+        version: version.trim_start_matches("SW "),
+        works: [a, b, c, d, e].map(works),
+        source: Cited(source),
+    };
+    rows(include_str!("compatibility.tsv")).map(software).collect()
+});
+
 /// All steps, those of a way together and in their order.
 pub static STEPS: LazyLock<Vec<Step>> = LazyLock::new(|| {
     let step = |[path, id, more, versions, files, softkeys, source]: [&'static str; 7]| Step {
@@ -68,6 +96,11 @@ mod tests {
         assert_eq!(ids.len(), STEPS.len());
         assert!(STEPS.iter().all(|step| !step.source.to_string().is_empty()));
         assert!(CONNECTIONS.iter().all(|one| !one.source.to_string().is_empty()));
+        let mut compatibility = include_str!("compatibility.tsv").lines();
+        let head: Vec<&str> = compatibility.next().unwrap_or_default().split('\t').collect();
+        assert_eq!(head[2..7], FUNCTIONS);
+        assert_eq!(SOFTWARE.len(), compatibility.count());
+        assert!(SOFTWARE.iter().all(|one| !one.source.to_string().is_empty()));
         let paths = STEPS.chunk_by(|one, next| one.path == next.path).count();
         assert_eq!(STEPS.iter().map(|step| step.path).collect::<BTreeSet<_>>().len(), paths, "a way stands together");
     }

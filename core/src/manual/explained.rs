@@ -18,6 +18,21 @@ pub struct Concept {
     pub names: Vec<&'static str>,
     /// Where the manuals tell of it.
     pub source: Cited,
+    /// Its live picture; none: why no picture carries it stands in the table.
+    pub example: Option<Example>,
+}
+
+/// A picture that changes while a value is dragged.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Example {
+    /// `CYCLE977/1`: the worked measurement of a variant; `sketch/…`: what is calculated, drawn.
+    pub of: &'static str,
+    /// What is dragged: a parameter, or a quantity of the sketch.
+    pub drag: &'static str,
+    /// Ends of its range, in its unit.
+    pub from: f64,
+    /// The other end.
+    pub to: f64,
 }
 
 /// A term with its definition.
@@ -35,8 +50,13 @@ pub struct Term {
 
 /// All concepts, those of a group together.
 pub static CONCEPTS: LazyLock<Vec<Concept>> = LazyLock::new(|| {
-    let concept = |[id, group, lines, names, source]: [&'static str; 5]| {
-        Some(Concept { id, group, lines: lines.parse().ok()?, names: several(names), source: Cited(source) })
+    let concept = |[id, group, lines, names, source, of, drag, from, to]: [&'static str; 9]| {
+        let example = match of {
+            "-" => None,
+            _ => Some(Example { of, drag, from: from.parse().ok()?, to: to.parse().ok()? }),
+        };
+        let (names, source) = (several(names), Cited(source));
+        Some(Concept { id, group, lines: lines.parse().ok()?, names, source, example })
     };
     rows(include_str!("concepts.tsv")).filter_map(concept).collect()
 });
@@ -90,6 +110,14 @@ mod tests {
         let concepts: BTreeSet<&str> = CONCEPTS.iter().map(|concept| concept.id).collect();
         assert_eq!(concepts.len(), CONCEPTS.len());
         assert!(CONCEPTS.iter().all(|one| one.lines > 0 && !one.source.to_string().is_empty()));
+        let without = CONCEPTS.iter().filter(|one| one.example.is_none()).count();
+        let reasons = include_str!("concepts.tsv").lines().filter_map(|row| row.split_once("\t-\t"));
+        assert_eq!(
+            reasons.filter(|(_, reason)| reason.trim().len() > 10).count(),
+            without,
+            "each has a picture or why not"
+        );
+        assert!(3 * without <= CONCEPTS.len(), "most have a picture: {without} have none");
         let groups: Vec<&str> =
             CONCEPTS.chunk_by(|one, next| one.group == next.group).map(|all| all[0].group).collect();
         assert_eq!(groups.iter().collect::<BTreeSet<_>>().len(), groups.len(), "those of a group stand together");

@@ -1,7 +1,11 @@
 //! The steps of commissioning and the connections of probes: their page in `docs/`, and what the terminal prints.
 
 use super::markdown::{line, table};
-use crate::app::{CommissioningPath, CommissioningStep, CommissioningView, ConnectionView, commissioning};
+use crate::app::{
+    CommissioningPath, CommissioningStep, CommissioningView, CompatibilityRequest, CompatibilityRow, CompatibilityView,
+    ConnectionView, commissioning, compatibility,
+};
+use crate::message::Message;
 use crate::words::Words;
 use std::fmt::Write;
 
@@ -23,6 +27,12 @@ pub fn page(words: &Words) -> String {
     let title = words.key("report-connections");
     let columns = ["signal", "name", "meaning", "source"];
     table(&mut text, &title, columns, connections.into_iter().map(row), words);
+    line(&mut text, &format!("## {}", words.key("report-compatibility")));
+    let cells = |row: Vec<String>| format!("| {} |", row.join(" | "));
+    let mut rows = versions(words).into_iter().map(cells);
+    let head = rows.next().unwrap_or_default();
+    let rule = "| --- ".repeat(head.matches(" |").count()) + "|";
+    line(&mut text, &[head, rule].into_iter().chain(rows).collect::<Vec<_>>().join("\n"));
     text.trim_end().to_owned() + "\n"
 }
 
@@ -42,12 +52,42 @@ fn said(step: &CommissioningStep, words: &Words) -> Vec<String> {
     sentences.chain(data.into_iter().flatten()).chain([format!("({})", step.source)]).collect()
 }
 
-/// The ways with their names, as the terminal prints them.
-pub fn ways(words: &Words) -> String {
-    commissioning().paths.iter().map(|path| format!("{}: {}\n", path.id, words.text(&path.title))).collect()
+/// Which versions work together, a row a software, their head first.
+fn versions(words: &Words) -> Vec<Vec<String>> {
+    let Ok(CompatibilityView { functions, rows, .. }) = compatibility(CompatibilityRequest::default()) else {
+        return Vec::new();
+    };
+    let heads = ["compatibility-component", "compatibility-version"].map(|key| words.key(key));
+    let head =
+        heads.into_iter().chain(functions.iter().map(|one| words.text(one))).chain([words.key("report-column-source")]);
+    let row = |row: &CompatibilityRow| {
+        let named = [row.component.to_owned(), format!("SW {}", row.version)].into_iter();
+        named.chain(row.works.iter().map(|one| words.text(one))).chain([row.source.to_string()]).collect()
+    };
+    [head.collect()].into_iter().chain(rows.iter().map(row)).collect()
 }
 
-/// The steps of a way by its name, `connections` all connections. Empty: there is none.
+/// A software a line, each of its cells behind the name of its column.
+fn told(rows: &[Vec<String>]) -> String {
+    let [head, rows @ ..] = rows else { return String::new() };
+    let cell = |(name, cell): (&String, &String)| format!("{name}: {cell}");
+    let line = |row: &Vec<String>| {
+        let cells: Vec<String> = head.iter().zip(row).skip(2).map(cell).collect();
+        format!("{}\n  {}\n", row.iter().take(2).cloned().collect::<Vec<_>>().join(" "), cells.join("; "))
+    };
+    rows.iter().map(line).collect()
+}
+
+/// The ways with their names, as the terminal prints them.
+pub fn ways(words: &Words) -> String {
+    let ways = commissioning().paths.into_iter().map(|path| (path.id, path.title));
+    let others = [("connections", "report-connections"), ("compatibility", "report-compatibility")];
+    let all = ways.chain(others.map(|(id, key)| (id, Message::new(key))));
+    all.map(|(id, title)| format!("{id}: {}\n", words.text(&title))).collect()
+}
+
+/// The steps of a way by its name, `connections` all connections, `compatibility` which versions work together. Empty:
+/// there is none.
 pub fn steps(way: &str, words: &Words) -> String {
     let CommissioningView { paths, connections } = commissioning();
     let mut text = String::new();
@@ -57,6 +97,9 @@ pub fn steps(way: &str, words: &Words) -> String {
             let _ = writeln!(text, "{} ({}): {meaning} ({})", title, one.signal, one.source);
         }
         return text;
+    }
+    if way.eq_ignore_ascii_case("compatibility") {
+        return told(&versions(words));
     }
     let Some(CommissioningPath { title, steps, .. }) = paths.into_iter().find(|one| one.id.eq_ignore_ascii_case(way))
     else {
@@ -87,11 +130,12 @@ mod tests {
     #[test]
     fn each_way_has_steps() {
         let words = Words::of("en").unwrap();
-        for way in ways(&words).lines() {
-            let name = way.split(':').next().unwrap();
-            assert!(steps(name, &words).contains("[ ] "), "{name}");
+        for way in commissioning().paths {
+            assert!(steps(way.id, &words).contains("[ ] "), "{}", way.id);
         }
+        assert!(ways(&words).lines().all(|way| !steps(way.split(':').next().unwrap(), &words).is_empty()));
         assert!(steps("connections", &words).contains("X121"));
+        assert!(steps("compatibility", &words).contains("MMC100.2"));
         assert_eq!(steps("nobody", &words), "");
     }
 }

@@ -142,7 +142,7 @@ pub fn setting_datum(asked: &str, words: &Words) -> String {
 pub fn older(asked: &str, words: &Words) -> String {
     let asked = asked.to_ascii_uppercase();
     let told = |key: &'static str, name: &str, value: &str| {
-        words.text(&Message::new(key).text("name", name.to_owned()).text("what", value.to_owned()))
+        words.text(&Message::new(key).text("name", name.to_owned()).text("text", name).text("what", value.to_owned()))
     };
     if let Some(one) = subroutines::find(&asked) {
         return format!("{}\n  {}\n", told("older-subroutine", one.name, one.key), Cited(one.source));
@@ -170,7 +170,8 @@ pub fn older(asked: &str, words: &Words) -> String {
     }
     let line = |(name, cycles): &(Name, Vec<&str>)| format!("  {name}: {}", cycles.join(", "));
     let lines: Vec<String> = names.iter().map(line).collect();
-    format!("{}\n{}\n", told("older-parameter", &asked, ""), lines.join("\n"))
+    let factor = (number == r_parameters::FACTOR).then(|| format!("  {}\n", told("older-factor", &asked, "")));
+    format!("{}\n{}\n{}", told("older-parameter", &asked, ""), lines.join("\n"), factor.unwrap_or_default())
 }
 
 /// Label and, where there is one, help.

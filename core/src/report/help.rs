@@ -1,6 +1,7 @@
 //! The help of a cycle in `docs/cycles/`: first what is true of every variant, then what each says beside it; variants
 //! that say the same stand together. For the terminal the page of one variant, plain.
 
+use crate::app::whereabouts;
 use crate::catalogue::help::HelpPage;
 use crate::entry::{Cycle, SECTIONS, Section, Variant};
 use crate::manual::Cited;
@@ -17,14 +18,18 @@ enum Said {
     Value(&'static str),
     /// An alarm that can come.
     Alarm(String),
+    /// Where it is on the control.
+    Place(String),
 }
 
 impl Said {
-    fn section(&self) -> Section {
+    /// Where it stands; none: behind all sections.
+    fn section(&self) -> Option<Section> {
         match self {
-            Said::Line(section, _) => *section,
-            Said::Value(_) => Section::Before,
-            Said::Alarm(_) => Section::Wrong,
+            Said::Line(section, _) => Some(*section),
+            Said::Value(_) => Some(Section::Before),
+            Said::Alarm(_) => Some(Section::Wrong),
+            Said::Place(_) => None,
         }
     }
 }
@@ -53,7 +58,9 @@ fn said(cycle: &'static Cycle, variant: &Variant, words: &Words) -> Vec<Said> {
     let lines = page.lines.iter().map(|line| Said::Line(line.section, sentence(line.key, Cited(line.source))));
     let values = page.required.iter().map(|name| Said::Value(name.as_str()));
     let alarms = page.alarms.iter().map(|alarm| Said::Alarm(alarm.to_string()));
-    lines.chain(values).chain(alarms).collect()
+    let places = whereabouts(cycle, variant.number);
+    let places = places.iter().map(|one| Said::Place(format!("{} ({})", words.text(&one.message), one.source)));
+    lines.chain(values).chain(alarms).chain(places).collect()
 }
 
 /// What variants say beside what all say, each with the variants that say the same, in the order of the variants.
@@ -94,11 +101,12 @@ fn sections(cycle: &Cycle, page: &[Said], mark: &str, words: &Words) -> Vec<(Str
     let mut sections = Vec::new();
     for section in SECTIONS {
         let (mut items, mut values, mut alarms) = (Vec::new(), Vec::new(), Vec::new());
-        for one in page.iter().filter(|one| one.section() == section) {
+        for one in page.iter().filter(|one| one.section() == Some(section)) {
             match one {
                 Said::Line(_, sentence) => items.push(sentence.clone()),
                 Said::Value(name) => values.push(format!("{mark}{name}{mark}")),
                 Said::Alarm(code) => alarms.push(code.clone()),
+                Said::Place(_) => {}
             }
         }
         items.extend(listed("help-values", &values, words));
@@ -107,6 +115,12 @@ fn sections(cycle: &Cycle, page: &[Said], mark: &str, words: &Words) -> Vec<(Str
             sections.push((words.key(section.key(cycle.purpose.probe)), items));
         }
     }
+    let place = |one: &Said| match one {
+        Said::Place(sentence) => Some(sentence.clone()),
+        _ => None,
+    };
+    let places: Vec<String> = page.iter().filter_map(place).collect();
+    sections.extend((!places.is_empty()).then(|| (words.key("where-title"), places)));
     sections
 }
 

@@ -229,7 +229,7 @@ impl Session {
         of_machine::settle(&mut run);
         if stop.is_none() {
             cycle::log_stays_on(&mut run);
-            mode::missed(&mut run);
+            mode::ended(&mut run);
         }
         let machine_values = of_machine::all(&run);
         let Interpreter { sim, diagnostics, passed: passed_over, called, .. } = run;

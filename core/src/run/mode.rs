@@ -1,5 +1,6 @@
 //! How the control carries out a program when it does not machine: what becomes of measuring cycles then (B:660-694).
 
+use super::modal::Motion;
 use super::{Interpreter, stem};
 use crate::diagnostic::{Severity, Span};
 use crate::dialect::Dialect;
@@ -11,6 +12,7 @@ use serde::{Deserialize, Serialize};
 /// How a program is carried out.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
 #[cfg_attr(test, derive(ts_rs::TS), ts(rename = "RunMode"))]
 pub enum Mode {
     /// In AUTOMATIC: the cycles measure.
@@ -38,12 +40,20 @@ pub const MODES: [(Mode, &str); 6] = [
     (Mode::Jobshop, "jobshop"),
 ];
 
+/// Feed of the dry run as delivered, mm/min (SD 42100; SD 42101 = 0: it counts where it is greater than what is
+/// programmed). Data of the control itself: the manuals of the measuring cycles only name the mode (B:664).
+const DRY_RUN_FEED: f64 = 5000.0;
 /// Whether the cycles are executed in a simulation.
 const EXECUTED: &str = "_MC_SIMSIM";
 /// Deviation of the measured positions in a simulation, in the basic system.
 const DEVIATION: &str = "_MC_SIMDIFF";
 
 impl Mode {
+    /// Whether it is that of machining.
+    pub fn is_automatic(&self) -> bool {
+        *self == Mode::Automatic
+    }
+
     /// The system variables that are 1 in it.
     fn variables(self) -> &'static [&'static str] {
         match self {
@@ -108,8 +118,22 @@ pub fn skips(run: &mut Interpreter, cycle: &Cycle, span: Span) -> bool {
     true
 }
 
-/// Tells that a search did not come to its block.
-pub fn missed(run: &mut Interpreter) {
+/// The feed of a motion that is not in rapid traverse: in a dry run the greater of both.
+pub fn feed(run: &Interpreter, programmed: f64) -> f64 {
+    if active(run) == Mode::DryRun && run.modal.motion != Motion::Rapid {
+        programmed.max(DRY_RUN_FEED)
+    } else {
+        programmed
+    }
+}
+
+/// Tells that a search did not come to its block, and that an NCT control has no such mode.
+pub fn ended(run: &mut Interpreter) {
+    if run.program.dialect == Dialect::Nct && run.limits.mode != Mode::Automatic {
+        let name = MODES.iter().find(|(mode, _)| *mode == run.limits.mode).map_or("", |(_, name)| *name);
+        let problem = Problem::new("run-mode-none", Span::default(), name);
+        run.keep(problem.diagnostic(Severity::Warning));
+    }
     if active(run) == Mode::BlockSearch {
         let problem = Problem::at("run-search-missed", Span::default()).number("line", f64::from(run.limits.target));
         run.keep(problem.diagnostic(Severity::Warning));

@@ -6,7 +6,7 @@ use super::{Limits, Outcome, run};
 use crate::control::Plane;
 use crate::dialect::Dialect;
 use crate::geometry::Mcs;
-use crate::machine::Setup;
+use crate::machine::{Setup, Step};
 use crate::syntax::read;
 use crate::workpiece::{Shape, Solid};
 
@@ -76,4 +76,34 @@ fn a_simulation_measures_with_its_deviation() {
 #[test]
 fn jobshop_corrects_nothing() {
     assert_eq!(told(&ran(Mode::Jobshop, 0, &[])), ([70.0, 20.0, 0.0], vec!["run-jobshop".to_owned()]));
+}
+
+// oracle: hand (SD 42100 as delivered): a slow feed is raised, a faster one and rapid traverse stay
+#[test]
+fn a_dry_run_is_driven_with_its_feed() {
+    let program = b"G90 G0 Z300\nG1 X10 F200\nX20 F8000\nM30\n";
+    let feeds = |mode| {
+        let setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
+        let outcome = run(&read(Dialect::Sinumerik, program), &setup, Limits { mode, ..Limits::default() });
+        let feed = |step: &Step| match step {
+            Step::Motion { feed, .. } => Some(*feed),
+            _ => None,
+        };
+        outcome.trace.entries.iter().filter_map(|entry| feed(&entry.step)).collect::<Vec<_>>()
+    };
+    assert_eq!(feeds(Mode::Automatic)[1..], [200.0, 8000.0]);
+    assert_eq!(feeds(Mode::DryRun)[1..], [5000.0, 8000.0]);
+    assert_eq!(feeds(Mode::DryRun)[0], feeds(Mode::Automatic)[0]);
+}
+
+// oracle: hand: a mode that a control does not have is told, and changes nothing
+#[test]
+fn a_mode_of_the_other_control_is_told() {
+    let setup = Setup::calibrated(Dialect::Nct, Plane::G17);
+    let keys = |mode| {
+        let outcome = run(&read(Dialect::Nct, b"G0 Z300\nM30\n"), &setup, Limits { mode, ..Limits::default() });
+        outcome.diagnostics.iter().map(|one| one.message.key.to_string()).collect::<Vec<_>>()
+    };
+    assert!(keys(Mode::DryRun).contains(&"run-mode-none".to_owned()));
+    assert!(!keys(Mode::Automatic).contains(&"run-mode-none".to_owned()));
 }

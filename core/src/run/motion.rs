@@ -2,7 +2,7 @@
 
 use super::{
     Address, Compensation, Coordinate, FeedType, Halt, Interpreter, Measure, Motion, Path, Suppress, addresses,
-    arcs::Arc, contour, polar, rounded, rounded::Rounded,
+    arcs::Arc, contour, mode, polar, rounded, rounded::Rounded,
 };
 use crate::control::{AXES, Transverse, Units};
 use crate::diagnostic::Severity;
@@ -32,6 +32,7 @@ pub fn go(run: &mut Interpreter, path: &Path) -> Result<(), Halt> {
     if with_feed && feed <= 0.0 {
         run.tell(Severity::Error, &Problem::new("run-no-feed", path.span, ""));
     }
+    let feed = if inverse(run, path) { feed } else { mode::feed(run, feed) };
     let outcome = match path.measure {
         Some(measure) => {
             let feed = timed(run, path, feed, &Route::straight(Mcs(from), Mcs(to)));

@@ -1,6 +1,7 @@
 //! The part with its errors exaggerated, so that a crooked part is seen to be one.
 
-use super::{LineKind, Scene, Source, extent, fit, solid};
+use super::made::extent;
+use super::{LineKind, Scene, Source, fit, solid};
 use crate::control::Control;
 use crate::geometry::{Mcs, Rpy, V3};
 use crate::machine::{Entry, MotionKind, Step};

@@ -10,6 +10,7 @@ mod manner;
 mod planes;
 
 use probewright_core::app::{Scenario, ScenarioRequest, noted, scenario};
+use probewright_core::dialect::Dialect;
 use probewright_core::json::question;
 use probewright_core::setup_file::SetupFile;
 use std::path::{Path, PathBuf};
@@ -108,6 +109,29 @@ fn what_is_noted_of_a_run_holds() {
         let written = serde_json::to_string(&noted(question(&request.to_string()).unwrap()).unwrap()).unwrap();
         holds(&name, question(&written).unwrap());
     }
+}
+
+// oracle: manual B:660-668 (a dry run skips the measuring cycles): what is noted in a mode is carried out in it
+#[test]
+fn a_mode_is_noted_and_carried_out() {
+    let corrects = |(_, one): &(String, Scenario)| {
+        let changes = one.cases[0].expect.changes.as_ref().is_some_and(|changes| !changes.is_empty());
+        changes && one.setup.control() == Dialect::Sinumerik && one.cases[0].expect.stop.is_none()
+    };
+    let (name, scenario) = scenarios().into_iter().find(corrects).unwrap();
+    let case = &scenario.cases[0];
+    let program = scenario.program.text.clone().unwrap();
+    let text = case.replace.iter().fold(program, |text, (old, new)| text.replace(old, new));
+    let setup = SetupFile::from(&scenario.machine(case).unwrap());
+    let run = serde_json::json!({ "control": "sinumerik", "text": text, "setup": setup, "mode": "dry-run" });
+    let request = serde_json::json!({ "run": run, "name": name, "case": case.id });
+    let written = serde_json::to_string(&noted(question(&request.to_string()).unwrap()).unwrap()).unwrap();
+    assert!(written.contains(r#""mode":"dry-run""#), "{written}");
+    holds(&name, question(&written).unwrap());
+    let automatic = written.replace(r#""mode":"dry-run","#, "");
+    let view =
+        probewright_core::app::scenario(ScenarioRequest { scenario: question(&automatic).unwrap(), beside: None });
+    assert_ne!(view.unwrap().cases[0].differences, [], "{name}: in AUTOMATIC it measures");
 }
 
 /// Changes the last figure below a value; false: there is none.

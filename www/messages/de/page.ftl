@@ -989,7 +989,7 @@ given-mode-block-search = Satzsuchlauf
 given-mode-simulation = Simulation in HMI Advanced
 given-mode-jobshop = Simulation in Jobshop
 given-target = Satzsuchlauf bis Zeile
-given-mode-dry-run-told = Messzyklen werden übersprungen; Ergebnisse behalten die Werte früherer Aufrufe.
+given-mode-dry-run-told = Messzyklen werden übersprungen; Ergebnisse behalten die Werte früherer Aufrufe. Vorschübe unter 5000 mm/min werden zu 5000 mm/min.
 given-mode-program-test-told = Messzyklen werden übersprungen; Ergebnisse behalten die Werte früherer Aufrufe. An der Maschine bewegt sich keine Achse.
 given-mode-block-search-told = Messzyklen vor dieser Zeile werden übersprungen; Ergebnisse behalten die Werte früherer Aufrufe.
 given-mode-simulation-told = Messzyklen werden ausgeführt, außer _MC_SIMSIM ist 0. _MC_SIMDIFF kommt zu jeder gemessenen Position hinzu.
@@ -1014,6 +1014,7 @@ machine-values-where = Gelesen in
 terms-title = Begriffe und Konzepte
 terms-search = Begriffe und Konzepte suchen
 terms-search-hint = Schaltpunkt, Mittelwert, Bremsweg
+terms-drag = Ziehen: { $what }
 terms-list = Begriffe
 terms-none = Kein Begriff und kein Konzept enthält diese Wörter.
 

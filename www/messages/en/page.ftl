@@ -971,7 +971,7 @@ given-mode-block-search = Block search
 given-mode-simulation = Simulation (HMI Advanced)
 given-mode-jobshop = Simulation (Jobshop)
 given-target = Block search up to line
-given-mode-dry-run-told = Measuring cycles are skipped; results keep the values of earlier calls.
+given-mode-dry-run-told = Measuring cycles are skipped; results keep the values of earlier calls. Feeds below 5000 mm/min become 5000 mm/min.
 given-mode-program-test-told = Measuring cycles are skipped; results keep the values of earlier calls. On the machine no axis moves.
 given-mode-block-search-told = Measuring cycles before this line are skipped; results keep the values of earlier calls.
 given-mode-simulation-told = Measuring cycles are executed unless _MC_SIMSIM is 0. _MC_SIMDIFF is added to each measured position.
@@ -996,6 +996,7 @@ machine-values-where = Used in
 terms-title = Concepts and terms
 terms-search = Search concepts and terms
 terms-search-hint = Trigger point, mean value, braking path
+terms-drag = Drag: { $what }
 terms-list = Terms
 terms-none = No concept or term has these words.
 

@@ -936,7 +936,7 @@ given-mode-block-search = 程序段搜索
 given-mode-simulation = 仿真（HMI Advanced）
 given-mode-jobshop = 仿真（Jobshop）
 given-target = 程序段搜索到第几行
-given-mode-dry-run-told = 跳过测量循环；结果保持先前调用的数值。
+given-mode-dry-run-told = 跳过测量循环；结果保持先前调用的数值。低于 5000 mm/min 的进给率按 5000 mm/min 执行。
 given-mode-program-test-told = 跳过测量循环；结果保持先前调用的数值。在机床上没有轴运动。
 given-mode-block-search-told = 跳过此行之前的测量循环；结果保持先前调用的数值。
 given-mode-simulation-told = 执行测量循环，_MC_SIMSIM 为 0 时除外。每个测量位置加上 _MC_SIMDIFF。
@@ -958,6 +958,7 @@ machine-values-where = 使用处
 terms-title = 概念与术语
 terms-search = 搜索概念与术语
 terms-search-hint = 触发点、平均值、制动距离
+terms-drag = 拖动：{ $what }
 terms-list = 术语
 terms-none = 没有包含这些词的概念或术语。
 

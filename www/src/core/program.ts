@@ -12,6 +12,10 @@ import type {
   Catalogue,
   Changed,
   CommissioningView,
+  CompatibilityRequest,
+  CompatibilityView,
+  ConceptPicture,
+  ConceptRequest,
   Converted,
   CuredAll,
   CureRequest,
@@ -127,7 +131,11 @@ export interface ProgramCore extends FormCore {
   alarms(): AlarmInfo[];
   help(request: HelpRequest): HelpView;
   commissioning(): CommissioningView; // with the words of the help pages
+  /** `why`: the machine cannot be. */
+  compatibility(request: CompatibilityRequest): CompatibilityView | { why: string };
   terms(): TermsView; // with the words of the help pages
+  /** `why`: no picture carries the concept. */
+  conceptPicture(request: ConceptRequest): ConceptPicture | { why: string };
   /** What is told of a place of a line; null: nothing. */
   pointed(request: PointedRequest): PointedView | null;
   machine(request: MachineRequest): MachineView;
@@ -329,6 +337,8 @@ export async function loadProgramCore(): Promise<ProgramCore> {
     cure: request => JSON.parse(answer({ ask: "cure", ...request })) as CuredAll,
     convert: request => JSON.parse(answer({ ask: "convert", ...request })) as Converted,
     commissioning: () => JSON.parse(call("commissioning", () => wasm.commissioning())) as CommissioningView,
+    compatibility: request => orWhy<CompatibilityView>(() => wasm.compatibility(JSON.stringify(request))),
+    conceptPicture: request => orWhy<ConceptPicture>(() => wasm.concept_picture(JSON.stringify(request))),
     terms: () => JSON.parse(call("terms", () => wasm.terms())) as TermsView,
     help: request => JSON.parse(call("help", () => wasm.help(JSON.stringify(request)))) as HelpView,
     pointed: request => JSON.parse(call("pointed", () => wasm.pointed(JSON.stringify(request)))) as PointedView | null,

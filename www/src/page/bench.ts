@@ -148,7 +148,10 @@ export function createBench(parts: Parts): Bench {
       (await import("../views/definitions")).openDefinitions(has, ofMachine, stop.signal);
     });
   const commissioning = (): void =>
-    withCore(async has => (await import("../views/commissioning")).openCommissioning(has, store, stop.signal));
+    withCore(async has => {
+      const setup = shown ? machineTo(shown.state, shown.derived.view) : undefined;
+      (await import("../views/commissioning")).openCommissioning(has, store, setup, stop.signal);
+    });
   const terms = (concept?: string): void =>
     withCore(async has => (await import("../views/terms")).openTerms(has, stop.signal, concept));
   const asked = (): ProgramQuestion | null => {

@@ -9,7 +9,7 @@ import { basis, type Camera, eye, matrix } from "./camera";
 import { parse } from "./colours";
 import { available, openDevice, Unavailable } from "./device";
 import { fadedFor } from "./fade";
-import { stands } from "./ground";
+import { type Ground, stands } from "./ground";
 import { trailColours } from "./ink";
 import { packLines, packVertices } from "./mesh";
 import { openRemote } from "./remote";
@@ -66,12 +66,14 @@ function backend(name: GpuName, canvas: HTMLCanvasElement, device: Device, doing
   let scene: Scene | null = null; // that the device has
   let cloud: Cloud | null = null;
   let full = true; // what the device has is for all effects
+  let ground: Ground | null = null; // whose map the device has
   let path: Path | null = null; // that the device has
   const hand = (next: Scene, ratio: number, all: boolean): void => {
     full = all;
     const known = scene?.mesh === next.mesh && length(sub(scene.origin, next.origin)) === 0;
     scene = next;
-    device.setScene(handed(next, ratio, { full, known }));
+    device.setScene(handed(next, ratio, { full, known, mapped: ground === next.ground }));
+    if (full) ground = next.ground;
   };
   return {
     name,
@@ -106,8 +108,15 @@ function backend(name: GpuName, canvas: HTMLCanvasElement, device: Device, doing
   };
 }
 
-/** What a device needs of a scene; `full`: for all effects; `known`: it has these solids. */
-function handed(scene: Scene, ratio: number, { full, known }: { full: boolean; known: boolean }): Handed {
+/** `full`: for all effects; `known`: it has these solids; `mapped`: and the map of their ground. */
+interface Had {
+  full: boolean;
+  known: boolean;
+  mapped: boolean;
+}
+
+/** What a device needs of a scene. */
+function handed(scene: Scene, ratio: number, { full, known, mapped }: Had): Handed {
   const { mesh, origin, ends, lines, ground, colours } = scene;
   const [r, g, b] = parse(colours.background);
   return {
@@ -116,7 +125,7 @@ function handed(scene: Scene, ratio: number, { full, known }: { full: boolean; k
       : { vertices: packVertices(mesh, origin), corners: mesh.corners, ends: Uint32Array.from(ends) },
     lines: packLines(full ? lines.filter(({ style }) => !style.onGround) : lines, origin, ratio),
     background: [r, g, b],
-    sky: full ? { columns: ground.columns, cells: ground.cells() } : null,
+    sky: full && !mapped ? { columns: ground.columns, cells: ground.cells() } : null,
   };
 }
 

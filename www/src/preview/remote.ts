@@ -10,7 +10,18 @@ export async function openRemote(name: GpuName, canvas: HTMLCanvasElement, told:
   const worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
   let keep = (_: Blob): void => undefined; // whoever waits for a picture
   let fail = (_: Error): void => undefined;
-  const ask = (one: Ask, transfer: Transferable[] = []): void => worker.postMessage(one, transfer);
+  let asked: Ask[] = [];
+  let handed: Transferable[] = [];
+  const later = (one: Ask, transfer: Transferable[] = []): void => {
+    asked.push(one);
+    handed.push(...transfer);
+  };
+  /** With all that was left for later: each message wakes the other thread, which takes the time of this one. */
+  const ask = (one: Ask, transfer: Transferable[] = []): void => {
+    later(one, transfer);
+    worker.postMessage(asked, handed);
+    [asked, handed] = [[], []];
+  };
   try {
     await new Promise<void>((resolve, reject) => {
       const hear = (reply: Reply): void => {
@@ -29,9 +40,9 @@ export async function openRemote(name: GpuName, canvas: HTMLCanvasElement, told:
   }
   worker.onerror = ({ message }) => told.lost(message);
   return {
-    setScene: scene => ask({ scene }, [scene.lines.buffer, ...(scene.solids ? [scene.solids.vertices.buffer] : [])]),
-    setCloud: cloud => ask({ cloud }),
-    setPath: path => ask({ path }),
+    setScene: scene => later({ scene }, [scene.lines.buffer, ...(scene.solids ? [scene.solids.vertices.buffer] : [])]),
+    setCloud: cloud => later({ cloud }),
+    setPath: path => later({ path }),
     draw: seen => ask({ seen }, [seen.uniforms.buffer]),
     picture: seen =>
       new Promise((resolve, reject) => {

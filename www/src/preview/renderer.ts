@@ -29,7 +29,7 @@ export interface Handed {
   solids: { vertices: Float32Array; corners: Uint32Array; ends: Uint32Array } | null; // none: those of before
   lines: Float32Array;
   background: readonly [r: number, g: number, b: number];
-  sky: { columns: number; cells: Float32Array } | null; // none: without what needs it
+  sky: { columns: number; cells: Float32Array } | null; // none: that of before, or without what needs it
 }
 
 /** One picture of it. */

@@ -49,7 +49,9 @@ async function draw(to: Device, seen: Seen): Promise<void> {
   setTimeout(told.drawn);
 }
 
-addEventListener("message", ({ data }: MessageEvent<Ask>) => {
+addEventListener("message", ({ data }: MessageEvent<Ask[]>) => data.forEach(answer));
+
+function answer(data: Ask): void {
   if ("open" in data) return void open(data.open, data.canvas);
   if (!device) return;
   try {
@@ -61,6 +63,6 @@ addEventListener("message", ({ data }: MessageEvent<Ask>) => {
   } catch (problem) {
     lost(problem);
   }
-});
+}
 
 const lost = (problem: unknown): void => told.lost(reasonOf(problem));

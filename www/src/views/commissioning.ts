@@ -7,11 +7,19 @@ import { live } from "lit-html/directives/live.js";
 import type { ProgramCore } from "../core/program";
 import { el, on } from "../dom";
 import type { Store } from "../state/store";
-import { helpWords, say, t } from "../texts";
-import type { CommissioningPath, CommissioningStep, ConnectionView } from "../wire";
+import { helpWords, say, sayProblem, t } from "../texts";
+import type {
+  CommissioningPath,
+  CommissioningStep,
+  CompatibilityRow,
+  CompatibilityView,
+  ConnectionView,
+  Machine,
+} from "../wire";
 import { passingDialog, printBelow, showPassing } from "./passing";
 
 const CONNECTIONS = "connections";
+const VERSIONS = "versions";
 type Turn = (id: string, done: boolean) => void;
 
 function line(key: string, text: string, code: boolean): TemplateResult | typeof nothing {
@@ -54,12 +62,47 @@ function cards(connections: ConnectionView[]): TemplateResult {
   return html`<dl>${connections.map(card)}</dl>`;
 }
 
-/** Opens the dialog. */
-export async function openCommissioning(core: ProgramCore, store: Store, end: AbortSignal): Promise<void> {
+/** Which versions work together; the rows of the machine are marked. */
+function versions(view: CompatibilityView | { why: string }): TemplateResult {
+  if ("why" in view) return html`<p>${sayProblem(view.why)}</p>`;
+  const heads = [t("compatibility-component"), t("compatibility-version"), ...view.functions.map(say)];
+  const row = ({ component, version, works, here }: CompatibilityRow): TemplateResult =>
+    html`<tr class=${here ? "here" : ""} aria-current=${here ? "true" : nothing}>
+      <th scope="row">${component}</th>
+      <td>${version}</td>
+      ${works.map(one => html`<td>${say(one)}</td>`)}
+    </tr>`;
+  return html`<p>${say(view.told)}</p>
+    <div class="versions" tabindex="0" role="region" aria-label=${t("steps-versions-title")}>
+      <table>
+        <thead>
+          <tr>
+            ${heads.map(head => html`<th scope="col">${head}</th>`)}
+          </tr>
+        </thead>
+        <tbody>
+          ${view.rows.map(row)}
+        </tbody>
+      </table>
+    </div>
+    <small>${t("field-source", { source: view.rows[0]?.source ?? "" })}</small>`;
+}
+
+/** Opens the dialog; `setup`: the machine; none: that of the core. */
+export async function openCommissioning(
+  core: ProgramCore,
+  store: Store,
+  setup: Machine | undefined,
+  end: AbortSignal,
+): Promise<void> {
   await helpWords();
   const { paths, connections } = core.commissioning();
   const ways = paths.map(({ id, title }) => el("option", { value: id }, say(title)));
-  const way = el("select", { id: "steps-path" }, ...ways, el("option", { value: CONNECTIONS }, t("steps-connections")));
+  const others = [
+    el("option", { value: CONNECTIONS }, t("steps-connections")),
+    el("option", { value: VERSIONS }, t("steps-versions-title")),
+  ];
+  const way = el("select", { id: "steps-path" }, ...ways, ...others);
   const told = el("div", {});
   const printing = el("button", { type: "button" }, t("steps-print"));
   const again = el("button", { type: "button" }, t("steps-reset"));
@@ -69,6 +112,7 @@ export async function openCommissioning(core: ProgramCore, store: Store, end: Ab
   const shown = (): CommissioningPath | undefined => paths.find(({ id }) => id === way.value);
   const content = (): TemplateResult => {
     const path = shown();
+    if (way.value === VERSIONS) return versions(core.compatibility(setup ? { setup } : {}));
     return path ? list(path, store.state.machine.steps, turn) : cards(connections);
   };
   const draw = (): void => {

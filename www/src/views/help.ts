@@ -93,7 +93,7 @@ function marked(text: string): (string | HTMLElement)[] {
  * Headings and lines; the values stand with where the probe is before the call, the results with what is corrected, the
  * alarms at the end.
  */
-function fill({ sections, required, results, alarms }: HelpView, goTo: (name: string) => void): HTMLElement[] {
+function fill({ sections, required, results, alarms, places }: HelpView, goTo: (name: string) => void): HTMLElement[] {
   const parts = sections.map(({ label, lines }) =>
     el(
       "section",
@@ -129,12 +129,19 @@ function fill({ sections, required, results, alarms }: HelpView, goTo: (name: st
     el("h3", {}, t("help-alarms-title", { count: alarms.length })),
     ...alarms.map(alarmEntry),
   );
+  const where = el(
+    "details",
+    { class: "help-folded" },
+    el("summary", {}, t("where-title")),
+    ...places.map(({ message, source }) => el("p", {}, ...marked(say(message)), " ", el("small", {}, source))),
+  );
   return [
     ...parts.slice(0, 2),
     ...(required.length ? [values] : []),
     ...parts.slice(2, 4),
     ...(results.length ? [left] : []),
     ...parts.slice(4),
+    where,
     ...(alarms.length ? [list] : []),
   ];
 }

@@ -268,7 +268,7 @@ function datumRow(datum: MachineField, value: string, problem: string, edit: (va
   const id = entryId(datum.name);
   const taken = ({ target }: Event): void => edit((target as HTMLInputElement | HTMLSelectElement).value);
   const wrong = problem ? "true" : nothing;
-  const about = `${id}-help ${id}-problem${datum.idle ? ` ${id}-idle` : ""}`;
+  const about = `${id}-help ${id}-problem${datum.idle ? ` ${id}-idle` : ""}${datum.warned ? ` ${id}-warned` : ""}`;
   const entry =
     datum.kind === "choice"
       ? html`<select id=${id} class="choice" aria-describedby=${about} aria-invalid=${wrong} @change=${taken}>
@@ -294,6 +294,13 @@ function datumRow(datum: MachineField, value: string, problem: string, edit: (va
     </div>
     <p class="datum-help" id=${`${id}-help`}>${optional(`${datum.key}.help`)}</p>
     ${datum.idle ? html`<p class="datum-help datum-idle" id=${`${id}-idle`}>${t("machine-data-idle")}</p>` : nothing}
+    ${
+      datum.warned
+        ? html`<p class="datum-help datum-warned" id=${`${id}-warned`}>
+            ${say(datum.warned.message)} ${datum.warned.hint ? say(datum.warned.hint) : nothing}
+          </p>`
+        : nothing
+    }
     <p class="datum-problem" id=${`${id}-problem`} role="alert" ?hidden=${!problem}>${problem}</p>
   </div>`;
 }

@@ -7,6 +7,7 @@ import { el, on, setText, show } from "../dom";
 import { helpWords, say, t } from "../texts";
 import type { ConceptView, TermsView, TermView } from "../wire";
 import { passingDialog, showPassing } from "./passing";
+import { createTermPicture } from "./term-picture";
 
 /** What the search finds, and where. */
 interface Entry {
@@ -23,14 +24,19 @@ function place(names: string[], source: string): HTMLElement {
   return el("small", {}, ...codes, t("field-source", { source }));
 }
 
-function page({ id, title, lines, names, source }: ConceptView): HTMLDetailsElement {
-  return el(
+/** The page of a concept; its picture is drawn once it is opened. */
+function page(core: ProgramCore, { id, title, lines, names, source, example }: ConceptView): HTMLDetailsElement {
+  const behind = place(names, source);
+  const root = el(
     "details",
     { class: "term-page", id: `concept-${id}` },
     el("summary", {}, say(title)),
     ...lines.map(line => el("p", {}, say(line))),
-    place(names, source),
+    behind,
   );
+  if (example)
+    root.addEventListener("toggle", () => behind.before(createTermPicture(core, id, example)), { once: true });
+  return root;
 }
 
 function definition({ term, meaning, names, see, source }: TermView): HTMLElement {
@@ -44,7 +50,10 @@ function definition({ term, meaning, names, see, source }: TermView): HTMLElemen
 }
 
 /** Concepts by group, then the terms in the order of the language. */
-function list({ concepts, terms }: TermsView): { parts: HTMLElement[]; entries: Entry[]; heads: HTMLElement[] } {
+function list(
+  core: ProgramCore,
+  { concepts, terms }: TermsView,
+): { parts: HTMLElement[]; entries: Entry[]; heads: HTMLElement[] } {
   const parts: HTMLElement[] = [];
   const entries: Entry[] = [];
   const heads: HTMLElement[] = [];
@@ -57,7 +66,7 @@ function list({ concepts, terms }: TermsView): { parts: HTMLElement[]; entries: 
   for (const concept of concepts) {
     if (concept.group.key !== group) head(say(concept.group));
     group = concept.group.key;
-    const root = page(concept);
+    const root = page(core, concept);
     parts.push(root);
     entries.push(entry(root));
   }
@@ -72,7 +81,7 @@ function list({ concepts, terms }: TermsView): { parts: HTMLElement[]; entries: 
 /** Opens the dialog; `concept`: whose page is open at first. */
 export async function openTerms(core: ProgramCore, end: AbortSignal, concept?: string): Promise<void> {
   await helpWords();
-  const { parts, entries, heads } = list(core.terms());
+  const { parts, entries, heads } = list(core, core.terms());
   const search = el("input", { type: "search", id: "terms-search", placeholder: t("terms-search-hint") });
   const none = el("p", { class: "empty", role: "status" });
   const closing = el("button", { type: "button", class: "primary" }, t("exported-close"));

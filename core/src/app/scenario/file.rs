@@ -2,6 +2,7 @@
 //! `docs/scenario.schema.json`.
 
 use crate::control::Value;
+use crate::run::mode::Mode;
 use crate::setup_file::{SetupFile, SolidFile, ToolFile};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -34,6 +35,14 @@ pub struct Scenario {
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     #[cfg_attr(test, ts(optional, as = "Option<bool>"))]
     pub strict: bool,
+    /// How it is carried out; absent: in AUTOMATIC.
+    #[serde(default, skip_serializing_if = "Mode::is_automatic")]
+    #[cfg_attr(test, ts(optional, as = "Option<Mode>"))]
+    pub mode: Mode,
+    /// Line, from 1, up to which a block search goes; absent: the whole program is searched through.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional))]
+    pub target: Option<u32>,
     /// The machine with its probe, as a setup file describes it.
     pub setup: SetupFile,
     /// What is carried out, each from the beginning.

@@ -123,7 +123,9 @@ fn replaced(program: &str, case: &ScenarioCase) -> Result<String, Message> {
 
 fn carried_out(scenario: &Scenario, setup: &Setup, text: ProgramText, with: Vec<Beside>) -> Outcome {
     let whole = Whole::new(setup.control.dialect, text, Some(with));
-    let limits = Limits { steps: Some(BLOCKS), strict: scenario.strict, ..Limits::default() };
+    let Scenario { strict, mode, .. } = *scenario;
+    let target = scenario.target.unwrap_or_default();
+    let limits = Limits { steps: Some(BLOCKS), strict, mode, target, ..Limits::default() };
     let main = Some(scenario.main.as_str()).filter(|name| !name.is_empty());
     session(&whole, setup, limits, main, scenario.arguments.clone()).complete()
 }

@@ -29,8 +29,8 @@ pub struct NoteRequest {
 /// # Errors
 /// The machine has no such G function of units.
 pub fn noted(asked: NoteRequest) -> Result<Scenario, Error> {
-    let NoteRequest { run: RunRequest { control, text, setup, program, arguments, strict, with, .. }, name, case } =
-        asked;
+    let NoteRequest { run, name, case } = asked;
+    let RunRequest { control, text, setup, program, arguments, strict, mode, target, with, .. } = run;
     let setup = start(control, setup)?.setup;
     let with = with.unwrap_or_default();
     let mut scenario = Scenario {
@@ -40,6 +40,8 @@ pub fn noted(asked: NoteRequest) -> Result<Scenario, Error> {
         main: program.unwrap_or_default(),
         arguments: arguments.unwrap_or_default(),
         strict: strict.unwrap_or_default(),
+        mode: mode.unwrap_or_default(),
+        target,
         setup: SetupFile::from(&setup),
         cases: Vec::new(),
     };

@@ -45,7 +45,7 @@ pub fn with_edge(control: &Control) -> Result<&Edge, u32> {
 }
 
 /// Version of the control software, `_SI[1]`: a text, of which the first digit counts; 0 where there is none.
-fn software(control: &Control) -> f64 {
+pub fn software(control: &Control) -> f64 {
     match control.data.get("_SI[1]") {
         Some(Value::Text(text)) => text.trim().get(..1).and_then(|digit| digit.parse().ok()),
         Some(Value::Number(number)) => Some(*number),

@@ -116,6 +116,10 @@ fn the_types_of_the_page_are_those_of_the_core() {
     types.visit::<HelpRequest>();
     types.visit::<HelpView>();
     types.visit::<TermsView>();
+    types.visit::<ConceptRequest>();
+    types.visit::<CompatibilityRequest>();
+    types.visit::<CompatibilityView>();
+    types.visit::<ConceptPicture>();
     types.visit::<CommissioningView>();
     types.visit::<MachineRequest>();
     types.visit::<MachineView>();

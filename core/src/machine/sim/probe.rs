@@ -1,6 +1,7 @@
 //! The simulated machine with a probe that touches the part.
 
 use super::Sim;
+use crate::control::braking::Deflection;
 use crate::control::{Edge, LATHE_PROBE};
 use crate::diagnostic::Code;
 use crate::geometry::{Degrees, Dir, Mcs};
@@ -143,6 +144,7 @@ impl Sim {
         }
         self.switched(&met);
         self.tell_deflection(feed);
+        self.drive_on(&way, feed);
         if met.by == Touching::Stylus {
             self.stylus_touched = true;
             self.note(Step::Decision { message: Message::new("run-stylus") });
@@ -164,6 +166,17 @@ impl Sim {
         let key = if told.is_too_far() { "run-deflected-too-far" } else { "run-deflected" };
         let message = Message::new(key).number("feed", feed).number("path", told.told());
         self.note(Step::Decision { message: message.number("deflection", told.permitted) });
+    }
+
+    /// The axis goes on by its braking path and comes back, as the next block takes it: the stylus gives way. What was
+    /// latched counts, and the cycle goes on from there.
+    fn drive_on(&mut self, way: &Route, feed: f64) {
+        let short = |told: &Deflection| told.path <= WIDEST && way.length() > 0.0;
+        let Some(told) = self.control.deflection_at(feed).filter(short) else { return };
+        let (long, ahead) = (way.length(), way.to - way.from);
+        let beyond = way.to + ahead * (told.path / long);
+        self.go(&Route::straight(way.to, beyond), MotionKind::Positioning, feed);
+        self.go(&Route::straight(beyond, way.to), MotionKind::Positioning, feed);
     }
 
     /// Probe or tool hits something where nobody watches, or with what gives no signal.

@@ -293,6 +293,14 @@ fn what_the_probe_takes_is_told_and_nothing_measured_changes() {
         });
         messages.collect()
     };
+    let lowest = |sim: &Sim| {
+        let ends = sim.trace.entries.iter().filter_map(|entry| match entry.step {
+            Step::Motion { to, .. } => Some(to[2]),
+            _ => None,
+        });
+        ends.fold(f64::INFINITY, f64::min)
+    };
+    assert!((lowest(&plain) - lowest(&told) - 0.3925).abs() < 1e-9, "the axis goes on by its braking path");
     assert_eq!(decided(&plain), [""; 0]);
     assert_eq!(decided(&told), ["run-deflected", "run-deflected-too-far"]);
 }

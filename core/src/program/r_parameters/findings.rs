@@ -3,12 +3,14 @@
 
 use super::edits::{edits, named, without};
 use super::{Assigned, Call, Older};
+use crate::catalogue::r_parameters::{Called, FACTOR, VARIANT};
 use crate::diagnostic::{Diagnostic, Edit, Span};
 use crate::entry::names;
 use crate::message::{Arg, Message};
 use crate::name::Name;
 use crate::own::{self, Own};
 use crate::syntax::Program;
+use crate::syntax::fold::{NOTHING, number};
 use std::collections::BTreeSet;
 
 /// Whether it is said of a measuring call of an 840C.
@@ -27,8 +29,12 @@ pub fn findings(program: &Program, older: &Older, found: &mut Vec<Diagnostic>) {
             Some(edits) => finding.cured(Message::new("older-convert").text("cycles", of_calls(&older.calls)), edits),
             None => finding,
         });
+        found.extend(missing(program, older, call));
     }
     for one in &older.assigned {
+        if one.number == FACTOR && !one.names.is_empty() {
+            found.push(own::OLDER_FACTOR.finding().text("text", one.text(program)).on(one.word));
+        }
         if !one.open.is_empty() {
             found.extend(questions(program, older, one));
         } else if one.names.is_empty() && !one.read {
@@ -42,6 +48,25 @@ pub fn findings(program: &Program, older: &Older, found: &mut Vec<Diagnostic>) {
     if let Some(place) = older.unclear {
         found.push(own::OLDER_UNCLEAR.finding().text("text", program.written(place)).on(place));
     }
+}
+
+/// What the call gives no value to: on both controls the value of an earlier call counts (B:1696). The cure writes the
+/// values on delivery behind the last assignment that reaches the call.
+fn missing(program: &Program, older: &Older, call: &Call) -> Option<Diagnostic> {
+    let of = |number: &u16| call.given.get(number).into_iter().flatten().filter_map(|at| older.assigned.get(*at));
+    let variant: Vec<&Assigned> = of(&VARIANT).collect();
+    let [variant] = variant[..] else { return None };
+    let called = Called::of(call.cycle, number(program, variant.value, NOTHING));
+    let left = called.left_out(|number| call.given.contains_key(&number));
+    let last = call.given.keys().flat_map(of).map(|one| one.word.end).filter(|end| *end <= call.word.start).max();
+    let names: Vec<String> = left.iter().map(|(number, name, value)| format!("R{number} ({name}={value})")).collect();
+    let values: Vec<String> = left.iter().map(|(number, _, value)| format!("R{number}={value}")).collect();
+    let mut finding = own::OLDER_MISSING.finding().text("word", program.name(call.name)).on(call.name);
+    finding.message.args.push(("names", Arg::Text(names.join(", ")))); // ours, however long
+    let found = (!left.is_empty()).then_some(finding)?;
+    let Some(last) = last else { return Some(found) };
+    let label = Message::new("older-complete").text("word", program.name(call.name));
+    Some(found.cured(label, vec![Edit::insert(last, format!(" {}", values.join(" ")))]))
 }
 
 /// What each R parameter of a call is: `R23 = _MVAR, R19 = _ID / _SZA`; those that are nothing are told by themselves.

@@ -26,7 +26,53 @@ fn told(text: &str) -> Vec<(String, String, String)> {
         let cured = one.cure.as_ref().map(|cure| String::from_utf8(apply(text.as_bytes(), &cure.edits)).unwrap());
         (one.message.key.to_string(), program.written(one.span.unwrap()), cured.unwrap_or_default())
     };
-    found.iter().map(one).collect()
+    found.iter().map(one).filter(|(key, ..)| key != "older-missing").collect()
+}
+
+/// What is missing at the calls, and the program with it.
+fn completed(text: &str) -> Vec<(String, String)> {
+    let program = read(Dialect::Sinumerik, text.as_bytes());
+    let mut found = Vec::new();
+    findings(&program, &find(&program, &programs(&program), &Answers::new()), &mut found);
+    let missing = found.into_iter().filter(|one| one.message.key == "older-missing");
+    let cured = |one: crate::diagnostic::Diagnostic| {
+        let edits = one.cure.unwrap().edits;
+        (one.message.word("names").unwrap().to_owned(), String::from_utf8(apply(text.as_bytes(), &edits)).unwrap())
+    };
+    missing.map(cured).collect()
+}
+
+// oracle: manual B:1696 (values of an earlier call stay), A:16313-16340 (R25 _VMS, R27 _NMSP, R36 _TSA)
+#[test]
+fn what_a_call_leaves_out_is_told_and_completed() {
+    let text = "R23=100 R10=1 R22=1 R28=2 R30=1 R32=80 R25=0 R36=1\nL978\n";
+    let [(names, cured)] = &completed(text)[..] else { panic!("one call lacks something") };
+    assert!(names.contains("R27 (_NMSP=1)"), "{names}");
+    assert!(!names.contains("_VMS") && !names.contains("_TSA"), "{names}");
+    assert!(cured.contains("R27=1") && cured.starts_with(text.lines().next().unwrap()), "{cured}");
+    assert!(completed(cured).is_empty(), "what is completed lacks nothing");
+    // a value given before an earlier call counts on
+    assert!(completed(&format!("{cured}L978\n")).is_empty());
+}
+
+// oracle: manual B:2247-2251, B:16629 (the factor of the measuring path)
+#[test]
+fn a_factor_of_the_measuring_path_stays_a_number() {
+    let text = "R23=100 R28=2 R32=80\nL978\n";
+    assert!(told(text).iter().any(|(key, at, _)| key == "older-factor" && at == "R28=2"));
+    assert!(converted(text, &[]).contains("_FA=2"));
+}
+
+// oracle: manual A:16398, A:16478 (of each cycle the table prints one of _INCA and _STA1 beside R26, or none)
+#[test]
+fn the_26th_parameter_is_never_open() {
+    use crate::catalogue::{CYCLES, r_parameters};
+    for cycle in CYCLES.iter().filter(|cycle| r_parameters::is_printed(cycle)) {
+        let numbers = cycle.variants.iter().map(|one| Some(one.number as f64)).chain([None]);
+        for variant in numbers {
+            assert!(Called::of(cycle, variant).meant(26).len() <= 1, "{} {variant:?}", cycle.name);
+        }
+    }
 }
 
 // oracle: manual A:16128-16737, tests/data/older_programs.json (composed from the tables by hand)

@@ -1,24 +1,20 @@
 //! A session at the machine: what is pressed, what is measured, what is written. Whatever happens, nothing of it is
 //! lost: a refused input leaves everything as it was.
 
-use super::activation::{self, Activation, Reasons};
-use super::calculate::{self, Outcome, Point, Unfit};
+mod measuring;
+mod writing;
+
+use super::activation::Activation;
+use super::calculate::{self, Outcome, Point};
 use super::counterpart::Taken;
-use super::evaluate::Size;
 use super::mask::{self, Kind, Mask, Task};
-use super::offset::{self, Correction};
-use super::settings;
 use super::states::{Does, Key, Row, State, When, row_of};
 use super::stylus::Stylus;
-use super::touching::Touching;
-use super::values::{ROTATION, Value, Values};
-use super::{calibrating, masks, tools};
-use crate::catalogue::alarms;
-use crate::control::{AXES, Control, MachineSort, ROTARY, Store};
-use crate::diagnostic::Code;
-use crate::evaluate::level;
-use crate::geometry::{Degrees, Mcs};
-use crate::machine::{Machine, MotionKind, Setup, Sim, Step, Stop};
+use super::values::{Value, Values};
+use super::{masks, offset, settings};
+use crate::control::{AXES, Control, Store};
+use crate::geometry::Mcs;
+use crate::machine::{Setup, Sim, Step, Stop};
 use crate::message::Message;
 use std::collections::BTreeMap;
 
@@ -396,231 +392,6 @@ impl Session {
         Ok(rejects)
     }
 
-    /// Plane and zero offset of the set-up become active (B:2748-2752).
-    fn begin(&mut self) {
-        let measuring = self.measuring();
-        let plane = settings::plane(&self.sim.control);
-        self.sim.with_length(|control| control.plane = plane);
-        self.sim.control.activate(measuring);
-        self.measured = None;
-        if self.mask.is_some_and(Mask::at_once) {
-            self.points.fill(None);
-        }
-    }
-
-    /// Number of the missing point that is measured next, from 0.
-    fn next(&self) -> usize {
-        self.points.iter().position(Option::is_none).unwrap_or_default()
-    }
-
-    /// Measures what NC start began.
-    fn measure(&mut self) -> Result<(), Stop> {
-        let Some(mask) = self.mask else { return Ok(()) };
-        let number = self.next();
-        let from = self.sim.position;
-        self.sim.measuring = (!mask.task.of_tool()).then_some(MachineSort::Milling);
-        self.sim.in_cycle = true;
-        let outcome = self.point(mask, number);
-        self.sim.in_cycle = false;
-        self.sim.measuring = None;
-        self.measured = outcome?;
-        let at = self.measured.as_ref().map_or(from, |point| self.place(point));
-        if let Some(taken) = self.taken.get_mut(number) {
-            *taken = Some(Taken { from, at });
-        }
-        Ok(())
-    }
-
-    /// Where a point lies in the machine: the surface that was touched, the centre of the element.
-    fn place(&self, point: &Point) -> Mcs {
-        let Some(stylus) = &self.stylus else { return self.sim.position };
-        self.sim.control.to_machine(match point {
-            Point::Touch(touch) => {
-                let mut at = touch.at;
-                at[touch.axis] = stylus.surface(touch);
-                at
-            }
-            Point::Element(found) => stylus.placed(found.centre, found.height),
-        })
-    }
-
-    /// One point; none: the function stores what it found itself.
-    fn point(&mut self, mask: &Mask, number: usize) -> Result<Option<Point>, Stop> {
-        let (values, sim) = (&self.values, &mut self.sim);
-        match mask.task {
-            Task::Length => return calibrating::length(sim, values.number("z0")).map(|()| None),
-            Task::Ring => return calibrating::ring(sim, values.number("d")).map(|()| None),
-            Task::ToolProbe => {
-                let diameter = values.word("cal_kind") == "length_and_diameter";
-                return tools::calibrate(sim, diameter).map(|()| None);
-            }
-            Task::ToolLength => return tools::length(sim, values.number("v")).map(|()| None),
-            Task::ToolRadius => return tools::radius(sim, values.number("v")).map(|()| None),
-            _ => {}
-        }
-        let touching = Touching::prepare(sim, false)?;
-        self.stylus = Some(touching.stylus);
-        let [abscissa, ordinate, applicate] = touching.stylus.plane.axes();
-        let (axis, sign) = match mask.task {
-            Task::Element(element) | Task::Centres(element) => {
-                let of = |name: &str| values.number(name);
-                let size = Size {
-                    element,
-                    size: if element.round { [of("diameter"); 2] } else { [of("l"), of("w")] },
-                    angle: Degrees(of("contact_angle")),
-                    infeed: of("dz"),
-                };
-                return touching.element(sim, &size).map(|found| Some(Point::Element(found)));
-            }
-            Task::Corner => {
-                let side = calculate::corner_sides(values)[usize::from(number > 1)];
-                ([abscissa, ordinate][side.axis.min(1)], side.sign)
-            }
-            Task::Plane => (applicate, -1.0),
-            Task::Distance if number == 1 => (calculate::axis(values, "axis"), values.sign("direction_2")),
-            _ => (calculate::axis(values, "axis"), values.sign("direction")),
-        };
-        touching.along(sim, axis, sign).map(|touch| Some(Point::Touch(touch)))
-    }
-
-    /// Stores the point that was measured.
-    fn store(&mut self) {
-        let number = self.next();
-        if let (Some(point), Some(place)) = (self.measured.take(), self.points.get_mut(number)) {
-            *place = Some(point);
-        }
-    }
-
-    /// Stores the point that waits: none is stored that was not touched, and none out of its turn (A:3188, A:3198).
-    fn keep(&mut self, input: Input) -> Result<(), Message> {
-        let next = self.next();
-        if !matches!(input, Input::Point(number) if number == next + 1) || self.measured.is_none() {
-            return Err(Message::new("jog-older-order").text("point", format!("P{}", next + 1)));
-        }
-        self.store();
-        Ok(())
-    }
-
-    /// What all points come to, the one that was measured last among them.
-    fn calculated(&self) -> Result<Outcome, Message> {
-        let (Some(mask), Some(stylus)) = (self.mask, &self.stylus) else { return Ok(Outcome::default()) };
-        let points: Vec<Point> =
-            self.points.iter().copied().chain([self.measured.filter(|_| !mask.by_hand())]).flatten().collect();
-        let told = |unfit| match unfit {
-            Unfit::Alarm(number) => Message::new(alarms::key(Code::Alarm(number))),
-            Unfit::Told(key) => Message::new(key),
-        };
-        calculate::calculate(&self.sim.control, mask, &self.values, stylus, &points).map_err(told)
-    }
-
-    /// The zero offset that the mask corrects; none: measuring only.
-    pub fn chosen(&self) -> Option<Store> {
-        let mask = self.mask?;
-        let field = mask.field("zo")?;
-        let Kind::Offset { turned } = field.kind else { return None };
-        offset::named(&self.sim.control, self.values.word("zo"), turned)
-    }
-
-    /// Whether a zero offset has to be activated whatever is measured: it is not active while measuring, or a rotary
-    /// axis takes the angle.
-    pub fn surely_activates(&self, store: Store) -> bool {
-        if self.mask.is_some_and(|mask| mask.older.is_some()) {
-            return false;
-        }
-        let inactive = matches!(store, Store::Settable(number) if number != self.measuring());
-        let turned = self.values.word("angle_offset");
-        inactive || turned != ROTATION && self.sim.control.rotary_axis(turned).is_some()
-    }
-
-    /// Whether what would be written has to be activated.
-    fn to_activate(&self) -> bool {
-        if self.mask.is_some_and(|mask| mask.older.is_some()) {
-            return false; // up to SW 6.2 there is no such screen
-        }
-        let Ok(outcome) = self.calculated() else { return false };
-        let (Some(store), Some(correction)) = (self.chosen(), outcome.correction) else { return false };
-        self.reasons(store, &correction).0.any()
-    }
-
-    /// Why a correction has to be activated, and whether it turns the WCS about the applicate.
-    fn reasons(&self, store: Store, correction: &Correction) -> (Reasons, bool) {
-        let control = &self.sim.control;
-        let mut after = control.clone();
-        for write in offset::writes(control, store, correction) {
-            after.set_variable(&write.name, write.value);
-        }
-        let (old, new) = (control.stored_frame(store), after.stored_frame(store));
-        let rotary = match correction {
-            Correction::Rotary(axis, angle) => Some((*axis, control.rotary[*axis] + *angle)),
-            _ => None,
-        };
-        let inactive = matches!(store, Store::Settable(number) if number != control.settable);
-        let tilts = offset::tilts(control, &old, &new);
-        let swivels = tilts && swivels(&after, store);
-        (Reasons { inactive, tilts, swivels, rotary }, !tilts && old.rotation != new.rotation)
-    }
-
-    /// Shows the results, writes the zero offset; all points are grey again.
-    fn write(&mut self) -> Result<(), Message> {
-        let outcome = self.calculated()?;
-        if let (Some(store), Some(correction)) = (self.chosen(), &outcome.correction) {
-            let (reasons, turned) = self.reasons(store, correction);
-            self.correct(store, correction);
-            if reasons.any() && self.mask.is_some_and(|mask| mask.older.is_none()) {
-                self.activation = Some(Activation::new(store, reasons, turned));
-            } else {
-                let settable = self.sim.control.settable;
-                self.sim.control.activate(settable); // effective at once (B:3722)
-            }
-        }
-        self.outcome = outcome;
-        self.measured = None;
-        self.points.fill(None);
-        Ok(())
-    }
-
-    fn correct(&mut self, store: Store, correction: &Correction) {
-        for write in offset::writes(&self.sim.control, store, correction) {
-            self.sim.write_correction(write.name, write.value);
-        }
-    }
-
-    fn reject(&mut self, input: Input) -> Result<(), Message> {
-        let number = match input {
-            Input::Point(number) | Input::Plc(number, _) => number,
-            _ => 0,
-        };
-        let place = number.checked_sub(1).and_then(|place| self.points.get_mut(place));
-        match place {
-            Some(point) if point.is_some() => {
-                *point = None;
-                if let Some(taken) = number.checked_sub(1).and_then(|place| self.taken.get_mut(place)) {
-                    *taken = None;
-                }
-                Ok(())
-            }
-            _ => Err(Message::new("jog-grey").text("point", format!("P{number}"))),
-        }
-    }
-
-    /// A bit of the PLC: set, it rejects a point that is stored while its softkey is on the screen (B:2797-2804).
-    fn plc_bit(&mut self, number: usize, set: bool) -> Result<(), Message> {
-        let place = number.checked_sub(1).filter(|place| *place < self.rejects.len());
-        let Some(place) = place else {
-            return Err(Message::new("jog-grey").text("point", format!("P{number}")));
-        };
-        self.rejects[place] = set;
-        let stored = self.points.get(place).is_some_and(Option::is_some);
-        if set
-            && stored
-            && !self.kept_by_hand()
-            && let Ok(row) = self.row(Key::Point)
-        {
-            return self.act(row, Input::Plc(number, set));
-        }
-        Ok(())
-    }
-
     /// Leaves the mask; its values stay for the next time.
     fn leave(&mut self) {
         if let Some(mask) = self.mask.take() {
@@ -640,57 +411,6 @@ impl Session {
             self.activation = None;
             self.leave();
             self.state = State::Menu;
-        }
-    }
-
-    fn toggle(&mut self, input: Input) -> Result<(), Message> {
-        let (Input::Field(name, word), Some(activation)) = (input, &mut self.activation) else { return Ok(()) };
-        activation.toggle(name, word)
-    }
-
-    /// Activates what was written: the probe is retracted, the zero offset becomes active, then the table turns the
-    /// plane under the probe, or the rotary axis moves where the part is aligned (B:3903-3906).
-    fn activate(&mut self) -> Result<(), Stop> {
-        let Some(activation) = self.activation.clone() else { return Ok(()) };
-        if activation.says(activation::RETRACT) {
-            let mut to = self.sim.position;
-            to[2] = self.sim.above_turning().max(to[2]);
-            self.sim.travel_machine(to, None, MotionKind::Rapid, 0.0, false)?;
-        }
-        if activation.says(activation::ACTIVATE) {
-            self.sim.control.activate(settable(&self.sim.control, activation.store));
-        }
-        if activation.says(activation::ORIENT) {
-            self.orient()?;
-        }
-        match activation.reasons.rotary.filter(|_| activation.says(activation::POSITION)) {
-            Some((axis, to)) => self.sim.turn_table(axis, to),
-            None => Ok(()),
-        }
-    }
-
-    /// Turns the table until the active plane lies across the probe, as CYCLE800 does; the WCS turns with the part.
-    fn orient(&mut self) -> Result<(), Stop> {
-        let Some((turns, table)) = self.sim.control.swivelled() else { return Ok(()) };
-        for (axis, to) in turns.into_iter().enumerate() {
-            if self.sim.control.rotary[axis] != to {
-                self.sim.turn_table(axis, to)?;
-            }
-        }
-        self.sim.control.part_frame = table;
-        Ok(())
-    }
-
-    /// The zero offset that was activated is offered for the next measurement: to be active while measuring, and to be
-    /// corrected (B:3784).
-    fn offer(&mut self) {
-        let Some(activation) = self.activation.take() else { return };
-        if let (Store::Settable(number), true) = (activation.store, activation.says(activation::ACTIVATE)) {
-            self.offered = Some(number);
-            let name = offset::name(&self.sim.control, activation.store);
-            if self.mask.is_some_and(|mask| mask.field("zo").is_some()) {
-                self.values.put("zo", Value::Word(name));
-            }
         }
     }
 
@@ -742,21 +462,4 @@ impl Session {
         self.sim.note(Step::Tool { tool, edge });
         Ok(())
     }
-}
-
-/// The settable frame that is active once a zero offset is.
-fn settable(control: &Control, store: Store) -> usize {
-    match store {
-        Store::Settable(number) => number,
-        _ => control.settable,
-    }
-}
-
-/// Whether a machine has the rotary axes that have to move until the plane of a zero offset lies across the probe.
-fn swivels(control: &Control, store: Store) -> bool {
-    let mut active = control.clone();
-    active.activate(settable(control, store));
-    let Some((turns, _)) = active.swivelled() else { return false };
-    let moves = |axis: usize| (turns[axis] - control.rotary[axis]).0.abs() > level::SAME;
-    (0..3).all(|axis| !moves(axis) || control.rotary_axis(ROTARY[axis]).is_some())
 }

@@ -1,12 +1,14 @@
 //! Pictures that follow from the work of a cycle: what they show is carried out, and touched where it is drawn.
 #![allow(clippy::unwrap_used, clippy::panic)]
 
+use super::solid::meets;
 use super::*;
 use crate::catalogue::example::turned;
 use crate::catalogue::{CYCLES, find};
-use crate::control::delivery;
+use crate::control::{MachineSort, Plane, Transverse, delivery};
 use crate::dialect::Dialect;
 use crate::entry::{Cycle, How};
+use crate::picture::ShapeKind;
 
 /// The worked example of each variant of each cycle whose picture follows from its work, in the usual plane.
 fn staged() -> impl Iterator<Item = (Inputs, &'static Staged)> {

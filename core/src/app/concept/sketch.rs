@@ -1,0 +1,236 @@
+//! What is calculated, drawn: the manual's own examples of mean value and braking path, an empirical value, and the
+//! limits of a deviation.
+
+use super::{ConceptExample, ConceptPicture, dragged};
+use crate::control::braking::Braking;
+use crate::entry::{Typed, names};
+use crate::evaluate::mean;
+use crate::evaluate::tolerance::{Bands, Branch, chain};
+use crate::manual::explained::Example;
+use crate::message::Message;
+use crate::name::Name;
+use crate::picture::figures::{circle, dimension, line, rectangle};
+use crate::picture::{Picture, PictureShape, ShapeKind, View};
+
+/// Differences of ten parts, and the limit beyond which their mean value corrects, µm (B:1265-1284).
+const DIFFERENCES: [f64; 10] = [30.0, 50.0, 60.0, 20.0, 40.0, 50.0, 50.0, 30.0, 70.0, 70.0];
+const LIMIT: f64 = 40.0;
+/// The axis of the worked example (B:1184-1187).
+const AXIS: Braking = Braking { delay: 0.016, acceleration: 1.0, gain: 1.0 };
+/// Limits that can be told apart in a drawing, mm, in their order (B:1286-1422).
+const BANDS: Bands = Bands {
+    safe_area: 0.1,
+    difference: 0.07,
+    upper: 0.045,
+    lower: -0.045,
+    mean: 0.025,
+    zero_offset: 0.01,
+    weight: 1.0,
+};
+/// What an empirical value is subtracted from, and the tolerance around 0, mm.
+const MEASURED: f64 = 0.03;
+const TOLERANCE: f64 = 0.04;
+/// Parts of the paper: radius of a point, and paper for a mm where hundredths matter.
+const POINT: f64 = 1.4;
+const FINE: f64 = 1000.0;
+/// Height of a bar, and from one to the next.
+const BAR: f64 = 12.0;
+const NEXT: f64 = 18.0;
+
+/// What is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sketch {
+    Mean,
+    Empirical,
+    Chain,
+    Braking,
+}
+
+impl Sketch {
+    pub fn of(name: &str) -> Option<Sketch> {
+        match name {
+            "sketch/mean" => Some(Sketch::Mean),
+            "sketch/empirical" => Some(Sketch::Empirical),
+            "sketch/chain" => Some(Sketch::Chain),
+            "sketch/braking" => Some(Sketch::Braking),
+            _ => None,
+        }
+    }
+
+    pub fn example(self, example: &Example) -> ConceptExample {
+        let (name, key, unit, step, value) = match self {
+            Sketch::Mean => ("_K", "param-k", "", 1.0, 2.0),
+            Sketch::Empirical => ("_EV", "concept-empirical-value", "mm", 0.001, 0.02),
+            Sketch::Chain => ("", "concept-drag-difference", "mm", 0.001, 0.03),
+            Sketch::Braking => ("", "concept-drag-feed", "mm/min", 10.0, 300.0),
+        };
+        dragged(example, name, Message::new(key), unit, step).at(value)
+    }
+
+    pub fn draw(self, value: f64) -> ConceptPicture {
+        match self {
+            Sketch::Mean => of_mean(value.round()),
+            Sketch::Empirical => of_empirical(value),
+            Sketch::Chain => of_chain(value),
+            Sketch::Braking => of_braking(value),
+        }
+    }
+}
+
+fn plane(shapes: Vec<PictureShape>, values: Typed, told: Message) -> ConceptPicture {
+    ConceptPicture { picture: Picture { view: View::Plane, shapes }, values, told: Some(told) }
+}
+
+fn value_of(name: Name, value: f64) -> (String, String) {
+    (name.to_string(), value.to_string())
+}
+
+/// Ten measured differences, the mean value that follows them, and where it corrects and begins again.
+fn of_mean(weight: f64) -> ConceptPicture {
+    let place = |index: usize| 10.0 * (index + 1) as f64;
+    let mut shapes = vec![
+        rectangle(ShapeKind::Tolerance, [55.0, 0.0], [110.0, 2.0 * LIMIT]).of(names::TZL),
+        line(ShapeKind::Axis, vec![[0.0, 0.0], [110.0, 0.0]]),
+        dimension(names::TZL, [110.0, 0.0], [110.0, LIMIT]),
+    ];
+    let (mut old, mut way, mut corrected) = (0.0, vec![[0.0, 0.0]], 0);
+    for (index, difference) in DIFFERENCES.into_iter().enumerate() {
+        let mean = mean::next(old, difference, weight).unwrap_or(difference);
+        let at = [place(index), mean];
+        way.push(at);
+        shapes.push(circle(ShapeKind::Touch, [place(index), difference], POINT));
+        old = mean;
+        if mean > LIMIT {
+            corrected += 1;
+            old = 0.0;
+            shapes.push(line(ShapeKind::Edge, std::mem::replace(&mut way, vec![[place(index), 0.0]])).of(names::K));
+            shapes.push(circle(ShapeKind::Probe, at, 2.0 * POINT).of(names::K));
+        }
+    }
+    shapes.push(line(ShapeKind::Edge, way).of(names::K));
+    let values = [value_of(names::K, weight), value_of(names::TZL, LIMIT / FINE)].into_iter().collect();
+    plane(shapes, values, Message::new("concept-told-mean").number("count", f64::from(corrected)))
+}
+
+/// A measured difference, and what it counts as once the empirical value is subtracted (B:1292-1308).
+fn of_empirical(value: f64) -> ConceptPicture {
+    let counts = MEASURED - value;
+    let [low, high, from, to] = [-TOLERANCE, TOLERANCE, MEASURED, counts].map(|place| place * FINE);
+    let mut ev = line(ShapeKind::Dimension, vec![[from, -NEXT], [to, -NEXT]]);
+    ev.text = Some(format!("_EV {}", rounded(value)));
+    let shapes = vec![
+        rectangle(ShapeKind::Tolerance, [0.0, 0.0], [high - low, BAR]),
+        line(ShapeKind::Axis, vec![[-100.0, 0.0], [100.0, 0.0]]),
+        line(ShapeKind::Edge, vec![[0.0, -BAR], [0.0, BAR]]),
+        dimension(names::TUL, [0.0, NEXT], [high, NEXT]),
+        dimension(names::TLL, [0.0, NEXT], [low, NEXT]),
+        circle(ShapeKind::Probe, [from, 0.0], 2.0 * POINT),
+        circle(ShapeKind::Touch, [to, 0.0], 2.0 * POINT),
+        ev,
+    ];
+    let values = [value_of(names::TUL, TOLERANCE), value_of(names::TLL, -TOLERANCE)].into_iter().collect();
+    let told = Message::new("concept-told-empirical").number("measured", MEASURED).number("counts", rounded(counts));
+    plane(shapes, values, told)
+}
+
+/// The limits one below the other, a difference across them, and what follows from it.
+fn of_chain(difference: f64) -> ConceptPicture {
+    let Bands { safe_area, difference: most, upper, mean, zero_offset, .. } = BANDS;
+    let bars = [
+        (names::TSA, safe_area),
+        (names::TDIF, most),
+        (names::TUL, upper),
+        (names::TMV, mean),
+        (names::TZL, zero_offset),
+    ];
+    let mut shapes = Vec::new();
+    for (row, (name, limit)) in bars.into_iter().enumerate() {
+        let at = -NEXT * row as f64;
+        shapes.push(rectangle(ShapeKind::Tolerance, [0.0, at], [2.0 * limit * FINE, BAR]).of(name));
+        shapes.push(dimension(name, [0.0, at], [limit * FINE, at]));
+    }
+    let bottom = -NEXT * bars.len() as f64;
+    let at = difference * FINE;
+    shapes.push(line(ShapeKind::Axis, vec![[0.0, NEXT], [0.0, bottom]]));
+    shapes.push(line(ShapeKind::Edge, vec![[at, NEXT], [at, bottom]]));
+    shapes.push(circle(ShapeKind::Touch, [at, NEXT], 2.0 * POINT));
+    let values = bars.into_iter().map(|(name, limit)| value_of(name, limit)).collect();
+    let decision = chain(&[difference], &BANDS, 0.0);
+    let key = match decision.branch {
+        Branch::SafeArea => "evaluate-safe-area",
+        Branch::Difference => "evaluate-difference",
+        Branch::Oversize => "evaluate-oversize",
+        Branch::Undersize => "evaluate-undersize",
+        Branch::Whole => "evaluate-whole",
+        Branch::Mean => "evaluate-mean",
+        Branch::Small => "evaluate-small",
+    };
+    let told = Message::new(key).number("difference", difference).number("mean", rounded(decision.mean));
+    let follows = match decision.branch {
+        Branch::SafeArea | Branch::Difference | Branch::Small => None,
+        Branch::Mean => Some("evaluate-corrects-mean"),
+        _ => Some("evaluate-corrects-whole"),
+    };
+    plane(shapes, values, follows.into_iter().fold(told, |told, key| told.text("follows", key)))
+}
+
+/// What the probe is pushed on after its signal: the three parts of the path, and the ball where the axis stands.
+fn of_braking(feed: f64) -> ConceptPicture {
+    let parts = AXIS.parts(feed);
+    let ends = [0.0, parts.delay, parts.delay + parts.braking, parts.sum()];
+    let size = 0.6; // of the drawing, mm: a stylus ball
+    let mut shapes = vec![
+        rectangle(ShapeKind::Material, [2.0, -4.5 * size], [20.0, size]),
+        line(ShapeKind::Edge, vec![[0.0, -2.0 * size], [0.0, 3.0 * size]]),
+        circle(ShapeKind::Touch, [0.0, 0.0], size / 3.0),
+        circle(ShapeKind::Probe, [parts.sum(), 0.0], size),
+        line(ShapeKind::Path, vec![[-4.0, 0.0], [parts.sum(), 0.0]]),
+    ];
+    for (row, (pair, name)) in ends.windows(2).zip(["v·t", "v²/2a", "v/Kv"]).enumerate() {
+        let at = (4.0 + 2.5 * row as f64) * size;
+        shapes.push(line(ShapeKind::Dimension, vec![[pair[0], at], [pair[1], at]]).text(name));
+    }
+    let told = Message::new("braking-path")
+        .number("sum", rounded(parts.sum()))
+        .number("delay", rounded(parts.delay))
+        .number("braking", rounded(parts.braking))
+        .number("following", rounded(parts.following));
+    plane(shapes, Typed::new(), told)
+}
+
+/// To a ten thousandth.
+fn rounded(value: f64) -> f64 {
+    (value * 10_000.0).round() / 10_000.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::message::Arg;
+
+    fn number(told: Option<Message>, name: &str) -> Option<f64> {
+        told?.args.iter().find_map(|(known, arg)| match arg {
+            Arg::Number(value) if *known == name => Some(*value),
+            _ => None,
+        })
+    }
+
+    // oracle: manual B:1265-1284, B:1184-1195, B:1292-1308
+    #[test]
+    fn the_sketches_tell_the_figures_of_the_manual() {
+        assert_eq!(number(Sketch::Mean.draw(2.0).told, "count"), Some(3.0));
+        assert_eq!(number(Sketch::Mean.draw(3.0).told, "count"), Some(2.0));
+        assert_eq!(number(Sketch::Braking.draw(6000.0).told, "sum"), Some(12.6));
+        assert_eq!(number(Sketch::Empirical.draw(0.01).told, "counts"), Some(0.02));
+    }
+
+    // oracle: manual B:1286-1422: each limit in its order
+    #[test]
+    fn a_growing_difference_passes_each_limit() {
+        let keys = [0.005, 0.02, 0.03, 0.05, 0.08, 0.11].map(|value| Sketch::Chain.draw(value).told.map(|one| one.key));
+        let told = ["small", "mean", "whole", "oversize", "difference", "safe-area"];
+        for (key, end) in keys.iter().zip(told) {
+            assert_eq!(key.as_deref(), Some(format!("evaluate-{end}").as_str()));
+        }
+    }
+}
