@@ -24,6 +24,7 @@ const WEIGHT: Record<Sort, number> = { [TITLE]: 8, [HEADING]: 4, [ENTRY]: 4 };
 const OF_THE_PAGE = 0.5; // the title of its page, for a section in which other words were found
 const LINES = 40; // that are shown
 const OF_A_PAGE = 5; // of them: variants of a cycle say much alike
+const WORD = 15; // characters of a long one
 const AROUND = 60; // characters before and after the first word of an excerpt
 
 /** As it is compared. */
@@ -116,6 +117,13 @@ function hit(book: Book, { at, text }: Section, asked: string[]): Hit {
   return { page: sort === TITLE ? "" : name, title, address, excerpt: excerpt(text, asked) };
 }
 
+/** The next place to cut a text on this side: at a gap, if there is one soon. */
+function gap(characters: readonly string[], from: number, side: 1 | -1): number {
+  for (let steps = 0; steps < WORD; steps++)
+    if (characters[from + side * steps] === " ") return from + side * steps + (side > 0 ? 1 : 0);
+  return from;
+}
+
 /** The text around the first word that was found, cut where found words begin and end. */
 export function excerpt(text: string, asked: string[]): Piece[] {
   const characters = [...text];
@@ -134,8 +142,8 @@ export function excerpt(text: string, asked: string[]): Piece[] {
       for (let unit = at; unit < at + term.length; unit++) found.add(origins[unit] ?? 0);
     }
   if (found.size === 0) first = 0;
-  const from = Math.max(0, first - AROUND);
-  const to = Math.min(characters.length, first + 2 * AROUND);
+  const from = first <= AROUND ? 0 : gap(characters, first - AROUND, 1);
+  const to = first + 2 * AROUND >= characters.length ? characters.length : gap(characters, first + 2 * AROUND, -1);
   const pieces: Piece[] = from > 0 ? [{ text: "… ", found: false }] : [];
   for (let at = from; at < to; at++) {
     const last = pieces.at(-1);
