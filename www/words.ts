@@ -19,6 +19,7 @@ const LATER_FILES = [
   "twin",
   "user-programs",
 ].map(name => `${name}.ftl`);
+const GUIDE_LINE = /^guide-[a-z-]+-\d+ =/;
 const OF_CYCLE = /^cycle\d+\.ftl$/;
 const TERMINAL = "report.ftl"; // never shown in the page
 const HANDBOOK = "book.ftl"; // of the page's words, those of the handbook alone
@@ -28,7 +29,8 @@ type Part = "first" | "later" | "help";
 /** Where a message of the core belongs; help pages are long and read by few. `first`: the file of the first cycle. */
 function partOf(file: string, message: string, first: string): Part | null {
   if (file === TERMINAL) return null;
-  if (/^((jog-)?help|concept|term|commission|connection|compatibility|where)-/.test(message)) return "help";
+  if (/^((jog-)?help|concept|term|commission|connection|compatibility|where|guide-group)-/.test(message)) return "help";
+  if (GUIDE_LINE.test(message)) return "help";
   const later = LATER_FILES.includes(file) || (OF_CYCLE.test(file) && file !== first) || LATER_WORDS.test(message);
   return later ? "later" : "first";
 }

@@ -34,7 +34,7 @@ describe("concepts, terms and commissioning", () => {
     await dialog.getByText("Additive offset (DL)", { exact: true }).waitFor();
     assert.ok((await dialog.locator(".term:visible").count()) < 6);
     await dialog.getByRole("searchbox").fill("nobody says this");
-    await dialog.getByText("No concept or term has these words.").waitFor();
+    await dialog.getByText("No guide, concept or term has these words.").waitFor();
     await accessible(page, "dialog[open]");
     await page.keyboard.press("Escape");
     await page.keyboard.press("Escape");

@@ -10,6 +10,7 @@ use std::collections::{BTreeMap, BTreeSet};
 /// `{}`: the next part of the path in capitals.
 const PLACES: &[(&str, &str)] = &[
     ("manual/concepts.tsv", "[concepts](terms.md)"),
+    ("manual/guides.tsv", "[guides](guides.md)"),
     ("manual/terms.tsv", "[terms](terms.md)"),
     ("manual/steps.tsv", "[commissioning](commissioning.md)"),
     ("manual/connections.tsv", "[commissioning](commissioning.md)"),

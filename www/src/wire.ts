@@ -394,6 +394,8 @@ export type Catalogue = {
   practises: Array<Dialect>,
   /** Blocks that can stand around a call. */
   around: Array<AroundInfo>,
+  /** Guides by id, as links name them: keys `guide-…` of their titles, and with `-words` by what they are found. */
+  guides: Array<string>,
 };
 
 /** A text for a field. */
@@ -1425,6 +1427,24 @@ export type Gauge = {
   marks: Array<Mark>,
   /** What was measured; beyond an end it is drawn there. */
   needles: Array<Needle>,
+};
+
+/** A guide with its page. */
+export type GuideView = {
+  /** By which a link names it. */
+  id: string,
+  /** Group in which it stands. */
+  group: Message,
+  /** Title of the page. */
+  title: Message,
+  /** What it says. */
+  lines: Array<Message>,
+  /** Command of the page that leads there. */
+  way: string,
+  /** Lines for the terminal that do the same. */
+  terminal: Array<string>,
+  /** Place in the manual; empty: they do not tell of it. */
+  source: Cited,
 };
 
 /** Heights in rows along X, the first row at the least Y. The middle of the grid is the origin. */
@@ -3653,6 +3673,8 @@ export type TermView = {
 
 /** All of them. */
 export type TermsView = {
+  /** Guides, those of a group together. */
+  guides: Array<GuideView>,
   /** Concepts, those of a group together. */
   concepts: Array<ConceptView>,
   /** Terms, by the alphabet of English. */

@@ -107,7 +107,7 @@ terminal-arguments = Argumente
 terminal-options = Optionen
 terminal-probewright-about = Programmierhilfe für CNC-Messzyklen
 terminal-cycles-about = Messzyklen und Messmakros auflisten
-terminal-explain-about = Zyklus, Maske des Messens in JOG, Alarm, Meldung, Parameter, Ergebnis oder Variable der Maschine erklären, zum Beispiel CYCLE977, set_edge, 61303, PW135, _SZA oder "TCH PROBE 421"
+terminal-explain-about = Zyklus, Maske des Messens in JOG, Alarm, Meldung, Parameter, Ergebnis, Variable der Maschine, Konzept oder Anleitung erklären, zum Beispiel CYCLE977, set_edge, 61303, PW135, _SZA, "TCH PROBE 421", Mittelwert oder series; guides listet die Anleitungen auf
 terminal-alarms-about = Bedeutung und Abhilfe eines Alarms anzeigen; ohne Nummer alle Alarme auflisten
 terminal-check-about = Teileprogramme prüfen; Rückgabewert 1 bei einem Fehler, 2 bei einer nicht lesbaren Datei
 terminal-write-about = Programmtext eines Aufrufs auf die Standardausgabe schreiben
@@ -317,6 +317,8 @@ report-column-written = geschrieben
 report-column-simulated = simuliert
 terminal-told-newer = neuer
 
+report-guides = Anleitungen
+report-guides-intro = Wozu ein Teil von Probewright dient, wo er auf der Seite und im Terminal ist und worauf zu achten ist; „probewright explain guides“ listet sie auf. Aus der Tabelle erzeugt; nicht bearbeiten.
 report-terms = Konzepte und Begriffe
 report-terms-intro = Was die Handbücher voraussetzen: Konzepte mit je einer Seite, und Begriffe. Aus den Tabellen erzeugt; nicht bearbeiten.
 report-terms-list = Begriffe

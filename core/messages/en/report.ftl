@@ -111,7 +111,7 @@ terminal-arguments = Arguments
 terminal-options = Options
 terminal-probewright-about = Programming assistant for CNC measuring cycles
 terminal-cycles-about = List measuring cycles and macros
-terminal-explain-about = Explain a cycle, mask of measuring in JOG, alarm, finding, parameter, result or data item of the machine, for example CYCLE977, set_edge, 61303, PW135, _SZA or "TCH PROBE 421"
+terminal-explain-about = Explain a cycle, mask of measuring in JOG, alarm, finding, parameter, result, data item of the machine, concept or guide, for example CYCLE977, set_edge, 61303, PW135, _SZA, "TCH PROBE 421", "mean value" or series; guides lists the guides
 terminal-alarms-about = Show meaning and remedy of an alarm; without a number, list all alarms
 terminal-check-about = Check part programs; exit status 1 if there is an error, 2 if a file cannot be read
 terminal-write-about = Write the program text of a call to standard output
@@ -321,6 +321,8 @@ report-column-written = written
 report-column-simulated = simulated
 terminal-told-newer = newer
 
+report-guides = Guides
+report-guides-intro = What a part of Probewright is for, where it is in the page and in the terminal, and what to look out for; “probewright explain guides” lists them. Generated from the table; do not edit.
 report-terms = Concepts and terms
 report-terms-intro = What the manuals take for granted: concepts, a page each, and terms. Generated from the tables; do not edit.
 report-terms-list = Terms

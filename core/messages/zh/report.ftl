@@ -107,7 +107,7 @@ terminal-arguments = 参数
 terminal-options = 选项
 terminal-probewright-about = 数控测量循环的编程助手
 terminal-cycles-about = 列出测量循环和宏程序
-terminal-explain-about = 说明循环、JOG 测量的输入画面、报警、检查结果、参数、结果、用户数据或机床数据，例如 CYCLE977、set_edge、61303、PW135、_SZA 或 "TCH PROBE 421"
+terminal-explain-about = 说明循环、JOG 测量的输入画面、报警、检查结果、参数、结果、用户数据、机床数据、概念或指南，例如 CYCLE977、set_edge、61303、PW135、_SZA、"TCH PROBE 421"、平均值或 series；guides 列出全部指南
 terminal-alarms-about = 显示报警的含义和措施；不给编号时列出全部报警
 terminal-check-about = 检查零件程序；有错误时退出状态为 1，文件无法读取时为 2
 terminal-write-about = 把一个调用的程序文本写到标准输出
@@ -317,6 +317,8 @@ report-column-written = 写入
 report-column-simulated = 模拟
 terminal-told-newer = 新型
 
+report-guides = 指南
+report-guides-intro = Probewright 的某一部分有何用途、在页面和终端的哪里、要注意什么；“probewright explain guides”列出全部指南。由数据表生成，请勿编辑。
 report-terms = 概念与术语
 report-terms-intro = 手册默认读者已知的内容：每个概念一节，另附术语。由数据表生成，请勿编辑。
 report-terms-list = 术语

@@ -7,6 +7,7 @@ use crate::diagnostic::Code;
 use crate::dialect::Dialect;
 use crate::entry::{Aim, Cycle, Param, ProbeUse, ResultField, Style, Typed, Unit};
 use crate::manual::Cited;
+use crate::manual::explained::GUIDES;
 use crate::name::Name;
 use crate::program::around::{Block, blocks};
 use crate::workpiece::free::EXAMPLES;
@@ -27,6 +28,8 @@ pub struct Catalogue {
     pub practises: Vec<Dialect>,
     /// Blocks that can stand around a call.
     pub around: Vec<AroundInfo>,
+    /// Guides by id, as links name them: keys `guide-…` of their titles, and with `-words` by what they are found.
+    pub guides: Vec<&'static str>,
 }
 
 /// A block that can stand around a call.
@@ -147,7 +150,8 @@ pub fn catalogue() -> Catalogue {
         blocks(control).iter().map(info)
     };
     let around = [Dialect::Sinumerik, Dialect::Nct].into_iter().flat_map(of).collect();
-    Catalogue { cycles: CYCLES.iter().map(|cycle| entry(cycle)).collect(), applicate, practises, around }
+    let cycles = CYCLES.iter().map(|cycle| entry(cycle)).collect();
+    Catalogue { cycles, applicate, practises, around, guides: GUIDES.iter().map(|guide| guide.id).collect() }
 }
 
 fn entry(cycle: &'static Cycle) -> CycleInfo {

@@ -120,7 +120,7 @@ pub use series::{
 pub use start::{Beginning, Machine, OwnMachine};
 pub use story::{Story, story};
 pub use supply::{NewTool, Offer, Supply};
-pub use terms::{ConceptView, TermView, TermsView, terms};
+pub use terms::{ConceptView, GuideView, TermView, TermsView, terms};
 pub use trace::columns::{Columns, columns, others};
 pub use trace::{Trace, happened};
 pub use twin::{Shared, TwinView};

@@ -1,8 +1,8 @@
-//! Concepts and terms of the manuals.
+//! Guides to what Probewright does, and concepts and terms of the manuals.
 
 use super::concept::{ConceptExample, example};
 use crate::manual::Cited;
-use crate::manual::explained::{CONCEPTS, Concept, TERMS, Term};
+use crate::manual::explained::{CONCEPTS, Concept, GUIDES, Guide, TERMS, Term};
 use crate::message::Message;
 use serde::Serialize;
 use std::sync::LazyLock;
@@ -11,10 +11,32 @@ use std::sync::LazyLock;
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub struct TermsView {
+    /// Guides, those of a group together.
+    pub guides: Vec<GuideView>,
     /// Concepts, those of a group together.
     pub concepts: Vec<ConceptView>,
     /// Terms, by the alphabet of English.
     pub terms: Vec<TermView>,
+}
+
+/// A guide with its page.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct GuideView {
+    /// By which a link names it.
+    pub id: &'static str,
+    /// Group in which it stands.
+    pub group: Message,
+    /// Title of the page.
+    pub title: Message,
+    /// What it says.
+    pub lines: Vec<Message>,
+    /// Command of the page that leads there.
+    pub way: &'static str,
+    /// Lines for the terminal that do the same.
+    pub terminal: Vec<&'static str>,
+    /// Place in the manual; empty: they do not tell of it.
+    pub source: Cited,
 }
 
 /// A concept with its page.
@@ -57,9 +79,27 @@ pub struct TermView {
 /// The concepts, made once: what is dragged in each picture is a field of a form.
 static VIEWS: LazyLock<Vec<ConceptView>> = LazyLock::new(|| CONCEPTS.iter().map(concept).collect());
 
-/// Concepts and terms of the manuals.
+/// Guides, and concepts and terms of the manuals.
 pub fn terms() -> TermsView {
-    TermsView { concepts: VIEWS.clone(), terms: TERMS.iter().map(term).collect() }
+    TermsView {
+        guides: GUIDES.iter().map(guide).collect(),
+        concepts: VIEWS.clone(),
+        terms: TERMS.iter().map(term).collect(),
+    }
+}
+
+fn guide(guide: &Guide) -> GuideView {
+    let Guide { id, group, lines, further, way, terminal, source } = guide;
+    let own = (1..=*lines).map(|number| Message::new(format!("guide-{id}-{number}")));
+    GuideView {
+        id,
+        group: Message::new(format!("guide-group-{group}")),
+        title: Message::new(format!("guide-{id}")),
+        lines: own.chain(further.iter().map(|key| Message::new(*key))).collect(),
+        way,
+        terminal: terminal.clone(),
+        source: *source,
+    }
 }
 
 fn concept(concept: &Concept) -> ConceptView {

@@ -1,5 +1,6 @@
-//! What the manuals take for granted in each sentence: concepts, a page each, and terms, a definition each. Their words
-//! are messages: `concept-…` with its numbered lines, `term-…` and `term-…-is`.
+//! What the manuals take for granted in each sentence: concepts, a page each, and terms, a definition each; and guides,
+//! which tell how to work with what a measurement leaves. Their words are messages: `concept-…` and `guide-…` with
+//! their numbered lines, `guide-…-words` by which one is found, `term-…` and `term-…-is`.
 
 use super::{Cited, rows, several};
 use std::collections::BTreeMap;
@@ -47,6 +48,34 @@ pub struct Term {
     /// Where the manuals tell of it.
     pub source: Cited,
 }
+
+/// What a part of Probewright is for, where it is, what to look out for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Guide {
+    /// End of its keys.
+    pub id: &'static str,
+    /// End of the key of the group in which it stands.
+    pub group: &'static str,
+    /// How many lines of its own its page has.
+    pub lines: usize,
+    /// Keys of messages that follow them and are said elsewhere too.
+    pub further: Vec<&'static str>,
+    /// Command of the page that leads there.
+    pub way: &'static str,
+    /// Lines for the terminal that do the same.
+    pub terminal: Vec<&'static str>,
+    /// Where the manuals tell of it; of most they do not.
+    pub source: Cited,
+}
+
+/// All guides, those of a group together.
+pub static GUIDES: LazyLock<Vec<Guide>> = LazyLock::new(|| {
+    let guide = |[id, group, lines, further, way, terminal, source]: [&'static str; 7]| {
+        let (further, terminal) = (several(further), several(terminal));
+        Some(Guide { id, group, lines: lines.parse().ok()?, further, way, terminal, source: Cited(source) })
+    };
+    rows(include_str!("guides.tsv")).filter_map(guide).collect()
+});
 
 /// All concepts, those of a group together.
 pub static CONCEPTS: LazyLock<Vec<Concept>> = LazyLock::new(|| {
@@ -121,6 +150,18 @@ mod tests {
         let groups: Vec<&str> =
             CONCEPTS.chunk_by(|one, next| one.group == next.group).map(|all| all[0].group).collect();
         assert_eq!(groups.iter().collect::<BTreeSet<_>>().len(), groups.len(), "those of a group stand together");
+    }
+
+    // oracle: self: no row is lost, each leads somewhere in page and terminal, and those of a group stand together
+    #[test]
+    fn the_guides_are_whole() {
+        assert_eq!(GUIDES.len() + 1, include_str!("guides.tsv").lines().count());
+        assert_eq!(GUIDES.iter().map(|one| one.id).collect::<BTreeSet<_>>().len(), GUIDES.len());
+        assert!(GUIDES.iter().all(|one| one.lines > 0 && !one.way.is_empty() && !one.terminal.is_empty()));
+        let groups: Vec<&str> = GUIDES.chunk_by(|one, next| one.group == next.group).map(|all| all[0].group).collect();
+        assert_eq!(groups.iter().collect::<BTreeSet<_>>().len(), groups.len());
+        let unfound = |one: &&Guide| !one.source.0.is_empty() && one.source.to_string().is_empty();
+        assert_eq!(GUIDES.iter().find(unfound), None);
     }
 
     // oracle: hand

@@ -7,6 +7,7 @@ pub mod explain;
 pub mod findings;
 pub mod foreign;
 pub mod generations;
+pub mod guides;
 mod help;
 pub mod jog;
 pub mod machine;

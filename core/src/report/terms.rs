@@ -7,7 +7,7 @@ use std::fmt::Write;
 
 /// The page, Markdown.
 pub fn page(words: &Words) -> String {
-    let TermsView { concepts, terms } = terms();
+    let TermsView { concepts, terms, .. } = terms();
     let mut text = String::new();
     line(&mut text, &format!("# {}", words.key("report-terms")));
     line(&mut text, &words.key("report-terms-intro"));
@@ -47,7 +47,7 @@ fn place(names: &[&str], source: String) -> String {
 /// A concept or a term by its name in the language, or by its id with spaces. Empty: none has it.
 pub fn explained(asked: &str, words: &Words) -> String {
     let asked = plain(asked);
-    let TermsView { concepts, terms } = terms();
+    let TermsView { concepts, terms, .. } = terms();
     let is = |title: &crate::message::Message| {
         let id = title.key.split_once('-').map_or("", |(_, id)| id);
         [plain(&words.text(title)), plain(id)].contains(&asked)
@@ -69,7 +69,7 @@ pub fn explained(asked: &str, words: &Words) -> String {
 }
 
 /// A name as somebody types it: without what stands in brackets, in lower case, its parts by spaces.
-fn plain(name: &str) -> String {
+pub(super) fn plain(name: &str) -> String {
     let name = name.split(['(', '（']).next().unwrap_or_default();
     name.to_lowercase().split(['-', ' ']).filter(|part| !part.is_empty()).collect::<Vec<_>>().join(" ")
 }
@@ -90,7 +90,7 @@ mod tests {
     fn a_term_is_found_by_its_name() {
         for language in crate::words::LANGUAGES {
             let words = Words::of(language.code).unwrap();
-            let TermsView { concepts, terms } = terms();
+            let TermsView { concepts, terms, .. } = terms();
             let titles = concepts.iter().map(|one| &one.title).chain(terms.iter().map(|one| &one.term));
             for title in titles {
                 let name = words.text(title);

@@ -2,6 +2,7 @@
 
 use super::{files, folders, texts};
 use probewright_core::words::LANGUAGES;
+use std::collections::BTreeSet;
 
 /// What a text is for. Its key says it.
 #[derive(Clone, Copy, PartialEq)]
@@ -250,6 +251,34 @@ fn what_is_too_large_has_its_limit() {
         (language == "en" && too && !limit && !excused).then(|| text.trim().to_owned())
     });
     assert!(wrong.is_empty(), "{}:\n{}", wrong.len(), wrong.join("\n"));
+}
+
+/// What stands in quotation marks of the language.
+fn quoted<'a>(text: &'a str, language: &str) -> Vec<&'a str> {
+    let [open, close] = if language == "de" { ['„', '“'] } else { ['“', '”'] };
+    text.split(open).skip(1).filter_map(|rest| Some(rest.split_once(close)?.0)).collect()
+}
+
+// oracle: self: what a guide tells to press, choose or look at is there under that name
+#[test]
+fn guides_name_controls_as_the_page_does() {
+    let mut named = 0;
+    for language in LANGUAGES {
+        let all = folders().map(|folder| {
+            let folder = folder.join(language.code);
+            let others = files(&folder).into_iter().filter(|file| file != "guides.ftl");
+            others.flat_map(|file| texts(&folder.join(file)).into_values()).collect::<Vec<_>>()
+        });
+        let known: BTreeSet<&str> = all.iter().flatten().map(|text| text.trim()).collect();
+        let [core, _] = folders();
+        for (key, text) in texts(&core.join(language.code).join("guides.ftl")) {
+            for name in quoted(&text, language.code) {
+                assert!(known.contains(name), "{} {key}: nothing on the page is called “{name}”", language.code);
+                named += 1;
+            }
+        }
+    }
+    assert!(named > 100);
 }
 
 // oracle: hand

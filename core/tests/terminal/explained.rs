@@ -153,3 +153,21 @@ fn programs_of_older_versions_are_explained() {
     assert!(told("CYCLE103").contains("A:15977") || told("CYCLE103").contains("SW 3.2"), "{}", told("CYCLE103"));
     assert_eq!(probewright(&["explain", "R14"]).status.code(), Some(2));
 }
+
+// oracle: self: the lines that guides give for the terminal are ones that it takes; their files are the reader's
+#[test]
+fn guides_are_listed_and_their_lines_are_commands() {
+    let list = out(&probewright(&["explain", "guides"]));
+    for guide in probewright_core::app::terms().guides {
+        assert!(list.contains(guide.id), "{list}");
+        let told = probewright(&["explain", guide.id]);
+        assert!(told.status.success() && out(&told).contains(guide.terminal[0]), "{}", guide.id);
+        for line in &guide.terminal {
+            let words: Vec<&str> = line.split_whitespace().skip(1).chain(["--help"]).collect();
+            let asked = probewright(&words);
+            assert!(asked.status.success(), "{line}: {}", err(&asked));
+        }
+    }
+    let word = out(&probewright(&["--lang", "de", "explain", "Messunsicherheit"]));
+    assert!(word.starts_with("Wie sicher eine Messung ist\n"), "{word}");
+}

@@ -580,6 +580,7 @@ found-measurement = Messungen ({ $count })
 found-around = Bausteine um den Aufruf ({ $count })
 found-parameter = Parameter ({ $count })
 found-result = Ergebnisse ({ $count })
+found-guide = Anleitungen ({ $count })
 found-alarm = Alarme ({ $count })
 found-more = Weitere Treffer: { $count }. Ein zusätzliches Wort grenzt die Suche ein.
 
@@ -872,6 +873,8 @@ palette-call = Aufrufe im Programm
 palette-measurement = Messaufgaben
 palette-parameter = Parameter
 palette-result = Ergebnisse
+palette-around = Bausteine um den Aufruf
+palette-guide = Anleitungen
 palette-alarm = Alarme
 palette-finding = Meldungen
 palette-help = Hilfeseiten
@@ -1010,12 +1013,15 @@ machine-values-typed = eingegeben
 machine-values-assumed = angenommen
 machine-values-where = Gelesen in
 
-# Concepts and terms of the manuals.
-terms-title = Begriffe und Konzepte
-terms-search = Begriffe und Konzepte suchen
-terms-search-hint = Schaltpunkt, Mittelwert, Bremsweg
+# Guides, concepts and terms of the manuals.
+terms-title = Anleitungen, Begriffe und Konzepte
+terms-search = Anleitungen, Begriffe und Konzepte suchen
+terms-search-hint = Schaltpunkt, Mittelwert, Cpk
 terms-drag = Ziehen: { $what }
+terms-terminal = Im Terminal
+guide-go = Dorthin
+guide-open = Anleitung
 terms-list = Begriffe
-terms-none = Kein Begriff und kein Konzept enthält diese Wörter.
+terms-none = Weder Anleitung noch Begriff oder Konzept enthält diese Wörter.
 
 steps-title = Inbetriebnahme und Hochrüstung

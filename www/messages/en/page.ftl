@@ -571,6 +571,7 @@ found-measurement = Measurements ({ $count })
 found-around = Blocks around the call ({ $count })
 found-parameter = Parameters ({ $count })
 found-result = Results ({ $count })
+found-guide = Guides ({ $count })
 found-alarm = Alarms ({ $count })
 found-more = { $count } more. Add a word to narrow the search.
 
@@ -857,6 +858,8 @@ palette-call = Calls in the program
 palette-measurement = Measuring tasks
 palette-parameter = Parameters
 palette-result = Results
+palette-around = Blocks around the call
+palette-guide = Guides
 palette-alarm = Alarms
 palette-finding = Problems
 palette-help = Help pages
@@ -992,12 +995,15 @@ machine-values-typed = entered
 machine-values-assumed = assumed
 machine-values-where = Used in
 
-# Concepts and terms of the manuals.
-terms-title = Concepts and terms
-terms-search = Search concepts and terms
-terms-search-hint = Trigger point, mean value, braking path
+# Guides, concepts and terms of the manuals.
+terms-title = Guides, concepts and terms
+terms-search = Search guides, concepts and terms
+terms-search-hint = Trigger point, mean value, Cpk
 terms-drag = Drag: { $what }
+terms-terminal = In a terminal
+guide-go = Go there
+guide-open = Guide
 terms-list = Terms
-terms-none = No concept or term has these words.
+terms-none = No guide, concept or term has these words.
 
 steps-title = Commissioning and upgrade

@@ -564,6 +564,7 @@ found-measurement = 测量（{ $count }）
 found-around = 调用前后的程序块（{ $count }）
 found-parameter = 参数（{ $count }）
 found-result = 结果（{ $count }）
+found-guide = 指南（{ $count }）
 found-alarm = 报警（{ $count }）
 found-more = 还有 { $count } 个。再加一个词可缩小范围。
 
@@ -828,6 +829,8 @@ palette-call = 程序中的调用
 palette-measurement = 测量任务
 palette-parameter = 参数
 palette-result = 结果
+palette-around = 调用前后的程序块
+palette-guide = 指南
 palette-alarm = 报警
 palette-finding = 问题
 palette-help = 帮助页
@@ -954,12 +957,15 @@ machine-values-typed = 已输入
 machine-values-assumed = 假定
 machine-values-where = 使用处
 
-# Concepts and terms of the manuals.
-terms-title = 概念与术语
-terms-search = 搜索概念与术语
-terms-search-hint = 触发点、平均值、制动距离
+# Guides, concepts and terms of the manuals.
+terms-title = 指南、概念与术语
+terms-search = 搜索指南、概念与术语
+terms-search-hint = 触发点、平均值、Cpk
 terms-drag = 拖动：{ $what }
+terms-terminal = 终端命令
+guide-go = 前往
+guide-open = 指南
 terms-list = 术语
-terms-none = 没有包含这些词的概念或术语。
+terms-none = 没有包含这些词的指南、概念或术语。
 
 steps-title = 调试与升级

@@ -8,6 +8,7 @@ import { givenTo, machineTo } from "../desk/given";
 import type { Practice } from "../desk/practice";
 import { el, on, setText, show } from "../dom";
 import type { EditorPlace } from "../editor/place";
+import { listenToGuides } from "../guide";
 import { icon } from "../icons";
 import type { Scanner } from "../scan/scanner";
 import { machine as machineIn, type State } from "../state/state";
@@ -152,8 +153,14 @@ export function createBench(parts: Parts): Bench {
       const setup = shown ? machineTo(shown.state, shown.derived.view) : undefined;
       (await import("../views/commissioning")).openCommissioning(has, store, setup, stop.signal);
     });
-  const terms = (concept?: string): void =>
-    withCore(async has => (await import("../views/terms")).openTerms(has, stop.signal, concept));
+  const go = (way: string): void => {
+    const all = shown ? commands(shown.derived) : [];
+    all.find(({ id }) => id === way)?.run();
+  };
+  const explain = (page?: string): void =>
+    withCore(async has => (await import("../views/terms")).openTerms(has, stop.signal, go, page));
+  const terms = (concept?: string): void => explain(concept && `concept-${concept}`);
+  listenToGuides(explain, stop.signal);
   const asked = (): ProgramQuestion | null => {
     if (!shown) return null;
     const { state, derived } = shown;
@@ -184,6 +191,7 @@ export function createBench(parts: Parts): Bench {
     paper: which => void later()?.paper(which),
     practise: practice.go,
     scenarios: scenarios.open,
+    check: scenarios.check,
   });
   const later = behind(
     pieces => {

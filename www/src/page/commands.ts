@@ -35,6 +35,7 @@ export interface Does {
   paper(which: Paper): void;
   practise(): void;
   scenarios(): void;
+  check(): void;
 }
 
 const STYLES: Style[] = ["direct", "indirect", "operate"];
@@ -150,6 +151,7 @@ function ofView(
     { id: "twin", title: t("twin-open"), run: () => store.update({ snippet: { twin: !snippet.twin } }) },
     { id: "link", title: t("link-copy"), run: () => void copyLink(store) },
     { id: "scenarios", title: t("scenarios-open"), run: does.scenarios },
+    { id: "check", title: t("scenarios-check"), run: does.check },
     { id: "print-sheet", title: t("print-sheet"), run: () => does.paper("sheet") },
     { id: "print-report", title: t("print-report"), run: () => does.paper("report") },
     ...(run?.answers.length ? [{ id: "print-record", title: t("whole-print"), run: () => does.paper("record") }] : []),

@@ -8,6 +8,7 @@ import { createProver } from "../core/proving";
 import type { Derived } from "../desk/derive";
 import { givenTo, machineTo } from "../desk/given";
 import { el } from "../dom";
+import { guidePart } from "../guide";
 import { iconPart } from "../icons";
 import { fileOf, saveFile } from "../state/files";
 import type { State } from "../state/state";
@@ -112,13 +113,13 @@ export function createScenarios(
   function draw(): void {
     const empty = !shown()?.derived.program.trim();
     render(
-      html`<h2 id="scenarios-title">${t("scenarios-title")}</h2>
+      html`<header><h2 id="scenarios-title">${t("scenarios-title")}</h2>${guidePart("scenarios")}</header>
         <p>${t("scenarios-what")}</p>
         <div class="scenarios-ways">
           ${button("scenarios-note", "save", () => void note(), empty)}
           ${button("scenarios-open-files", "open", () => picker.click())}
           ${button("scenarios-open-folder", "open", () => folder.click())}
-          ${button("scenarios-check", "good", () => void check())}
+          ${button("scenarios-check", "good", () => void check())} ${guidePart("installation")}
         </div>
         <p role="alert" ?hidden=${problem === ""}>${problem}</p>
         ${series ? outcome(series, stop) : nothing}

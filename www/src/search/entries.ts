@@ -1,13 +1,13 @@
 // Everything that can be looked up, out of the catalogue and the messages: cycles, variants, parameters, results,
-// alarms.
+// alarms, guides.
 
 import type { Variant } from "../desk/actions";
 import { inEach, inEnglish, optional, t } from "../texts";
 import type { AlarmInfo, Catalogue, CycleInfo, Dialect } from "../wire";
 
-export type Kind = "measurement" | "around" | "parameter" | "result" | "alarm";
+export type Kind = "measurement" | "around" | "parameter" | "result" | "alarm" | "guide";
 /** In the order in which they are shown where they fit equally well. */
-export const KINDS: Kind[] = ["measurement", "around", "parameter", "result", "alarm"];
+export const KINDS: Kind[] = ["measurement", "around", "parameter", "result", "alarm", "guide"];
 
 export interface Entry {
   id: number;
@@ -118,7 +118,24 @@ const block = ({ control, name, key }: Catalogue["around"][number]): Found => ({
   others: [],
 });
 
-export function entries({ cycles, around }: Catalogue, alarms: readonly AlarmInfo[]): Entry[] {
+/** A guide, by the stem of its messages. */
+function guide(id: string): Found {
+  const key = `guide-${id}`;
+  return {
+    kind: "guide",
+    control: null,
+    code: "",
+    key,
+    title: t(key),
+    words: `${inEnglish(key)} ${searched(key)}`,
+    names: inEach(key),
+    foreign: inEach(`${key}-words`),
+    cycles: [],
+    others: [],
+  };
+}
+
+export function entries({ cycles, around, guides }: Catalogue, alarms: readonly AlarmInfo[]): Entry[] {
   const all = [
     ...cycles.flatMap(measurements),
     ...shared(cycles, ({ control, parameters }) =>
@@ -147,6 +164,7 @@ export function entries({ cycles, around }: Catalogue, alarms: readonly AlarmInf
     ),
     ...around.map(block),
     ...alarms.map(alarm => ofAlarm(cycles, alarm)),
+    ...guides.map(guide),
   ];
   return all.map((one, id) => ({ ...one, id }));
 }

@@ -1,6 +1,7 @@
 // About: licence, marks, and what a simulation cannot do.
 
 import { el, on } from "../dom";
+import { guideButton } from "../guide";
 import { t } from "../texts";
 
 const LINES = ["about-what", "about-offline", "about-prove-out", "about-marks", "about-independent", "about-licence"];
@@ -14,7 +15,7 @@ export function createAbout(check: () => void): HTMLDialogElement {
     { "aria-labelledby": "about-title", class: "about" },
     el("h2", { id: "about-title" }, t("about-title")),
     ...LINES.map(key => el("p", {}, t(key))),
-    el("div", { class: "actions" }, proof, close),
+    el("div", { class: "actions" }, proof, guideButton("installation"), close),
   );
   on(close, "click", () => dialog.close());
   on(proof, "click", () => {

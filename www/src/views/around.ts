@@ -5,6 +5,7 @@ import { html, nothing, render } from "lit-html";
 import type { Actions } from "../desk/actions";
 import { aroundAt, type Derived } from "../desk/derive";
 import { el, on, show } from "../dom";
+import { guideButton } from "../guide";
 import type { State } from "../state/state";
 import type { Store } from "../state/store";
 import { say, t } from "../texts";
@@ -89,7 +90,7 @@ export function createAround(
   const apply = el("button", { type: "button", class: "primary" }, t("around-apply"));
   const back = el("button", { type: "button" }, t("around-back"));
   const doing = el("div", { class: "actions" }, apply, back);
-  const root = el("details", { class: "around" }, head, list, none, doing);
+  const root = el("details", { class: "around" }, head, guideButton("around"), list, none, doing);
   let now: { at: string; blocks: readonly AroundBlock[]; edits: Derived["around"] } | null = null;
 
   const want = (change: (blocks: Blocks) => Blocks): void => {

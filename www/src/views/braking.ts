@@ -4,6 +4,7 @@
 import { html, nothing, render } from "lit-html";
 import type { ProgramCore } from "../core/program";
 import { el, on } from "../dom";
+import { guideButton } from "../guide";
 import { parseNumber, plain } from "../numbers";
 import { sayProblem, t } from "../texts";
 import type { BrakingRequest, BrakingView, MachineAxis } from "../wire";
@@ -47,6 +48,7 @@ export function createBraking(core: () => ProgramCore | null, changed: () => voi
     "details",
     { class: "braking" },
     el("summary", {}, t("exported-braking")),
+    guideButton("braking"),
     el("div", { class: "braking-fields" }, ...fields),
     told,
   );

@@ -2,6 +2,7 @@
 // part, and what makes most of it.
 
 import { html, nothing, type TemplateResult } from "lit-html";
+import { guidePart } from "../guide";
 import { fixed } from "../numbers";
 import { say, t } from "../texts";
 import type { Certain, CertaintyView } from "../wire";
@@ -52,5 +53,6 @@ export function certainty({ figures, stopped }: CertaintyView): TemplateResult |
   ];
   return html`<div class="answer-certain" data-proof=${proof ?? nothing}>
     <span>${spokenOf(first)}</span>${parts.filter(Boolean).map(part => html` <span>${part}</span>`)}
+    ${guidePart("certainty")}
   </div>`;
 }

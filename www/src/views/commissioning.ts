@@ -6,6 +6,7 @@ import { html, nothing, render, type TemplateResult } from "lit-html";
 import { live } from "lit-html/directives/live.js";
 import type { ProgramCore } from "../core/program";
 import { el, on } from "../dom";
+import { guideButton } from "../guide";
 import type { Store } from "../state/store";
 import { helpWords, say, sayProblem, t } from "../texts";
 import type {
@@ -108,7 +109,13 @@ export async function openCommissioning(
   const again = el("button", { type: "button" }, t("steps-reset"));
   const closing = el("button", { type: "button", class: "primary" }, t("exported-close"));
   const body = [el("label", { for: way.id }, t("steps-path")), way, told];
-  const dialog = passingDialog("steps-title", t("steps-title"), body, [printing, again, closing]);
+  const dialog = passingDialog(
+    "steps-title",
+    t("steps-title"),
+    body,
+    [printing, again, closing],
+    guideButton("commissioning"),
+  );
   const shown = (): CommissioningPath | undefined => paths.find(({ id }) => id === way.value);
   const content = (): TemplateResult => {
     const path = shown();

@@ -7,6 +7,7 @@ import "../styles/definitions.css";
 import { html, nothing, render, type TemplateResult } from "lit-html";
 import type { ProgramCore } from "../core/program";
 import { el, on, setAttribute } from "../dom";
+import { guideButton } from "../guide";
 import { saveFile } from "../state/files";
 import { say, sayProblem, t } from "../texts";
 import type { DefinitionsText, DefinitionsView, Machine, MachineView, MemoryShare } from "../wire";
@@ -94,6 +95,7 @@ export function openDefinitions(core: ProgramCore, machine: OfMachine, end: Abor
       told,
     ],
     [reading, closing],
+    guideButton("definitions"),
   );
   dialog.append(picker);
   setAttribute(dialog, "data-takes-files", "true");

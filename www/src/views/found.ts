@@ -3,6 +3,7 @@
 
 import type { Actions } from "../desk/actions";
 import { el, on, setAttribute, setText, show } from "../dom";
+import { openGuide } from "../guide";
 import { type Command, meantBy } from "../keys";
 import type { Group, Hit, Search } from "../search";
 import { pieces } from "../search/words";
@@ -31,7 +32,7 @@ function button(hit: Hit, pick: (hit: Hit) => void): HTMLElement {
   const node = el(
     "button",
     { type: "button", class: "hit", "data-kind": kind },
-    el("code", {}, ...marked(code, hit.words)),
+    code ? el("code", {}, ...marked(code, hit.words)) : null,
     el("span", { class: "hit-title" }, ...marked(title, hit.words)),
     kind === "measurement" || !control ? null : el("span", { class: "hit-control" }, t(`control-${control}`)),
   );
@@ -57,7 +58,8 @@ export function createFound(
   const pick = ({ entry }: Hit): void => {
     const { kind, code, key, variant, cycles, others } = entry;
     const [cycle] = cycles;
-    if (kind === "result" || kind === "alarm") actions.card({ kind, code, key, cycles, others });
+    if (kind === "guide") openGuide(key);
+    else if (kind === "result" || kind === "alarm") actions.card({ kind, code, key, cycles, others });
     else if (kind === "around") {
       actions.panel("form");
       actions.around(code);

@@ -8,6 +8,7 @@ import type { Actions } from "../desk/actions";
 import { lineIn } from "../desk/beside";
 import type { Derived } from "../desk/derive";
 import { chosenIn, parametersIn } from "../desk/given";
+import { guidePart } from "../guide";
 import type { State } from "../state/state";
 import { listed, t } from "../texts";
 import { unlessTyping } from "../unless-typing";
@@ -78,6 +79,7 @@ export function createGiven(
     return html`<div class="given-field">
         <label for="run-mode">${t("given-mode")}</label
         ><select id="run-mode" class="choice" .value=${live(mode)} @change=${chosen}>${MODES.map(option)}</select>
+        ${guidePart("run-modes")}
       </div>
       ${
         mode === "block-search"

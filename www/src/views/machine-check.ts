@@ -5,6 +5,7 @@ import "../styles/exported.css";
 import { html, nothing, render, type TemplateResult } from "lit-html";
 import type { ProgramCore } from "../core/program";
 import { el, on, setAttribute } from "../dom";
+import { guideButton } from "../guide";
 import { saveFile } from "../state/files";
 import { say, sayProblem, t } from "../texts";
 import type { ExportedFile, MachineCheckView, MachineFault, Severity, Use } from "../wire";
@@ -135,6 +136,7 @@ export function openMachineCheck(core: () => ProgramCore | null, end: AbortSigna
       list,
     ],
     [opening, saving, printing, closing],
+    guideButton("machine-check"),
   );
   dialog.append(picker);
   setAttribute(dialog, "data-takes-files", "true");

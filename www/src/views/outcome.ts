@@ -6,6 +6,7 @@ import type { Actions } from "../desk/actions";
 import { lineIn } from "../desk/beside";
 import type { Derived } from "../desk/derive";
 import { el } from "../dom";
+import { guidePart } from "../guide";
 import { fixed, plain, signed } from "../numbers";
 import type { State } from "../state/state";
 import type { Store } from "../state/store";
@@ -197,7 +198,7 @@ function screenList(
   const name = ({ screen: { cycle, measures }, line }: ShownScreen): string =>
     [callText(placed(files, { cycle, line })) || cycle, say(measures)].join(" · ");
   return html`<section class="screen-list" ?hidden=${shown.length === 0}>
-    <h3>${t("outcome-screens", { count: shown.length })}</h3>
+    <h3>${t("outcome-screens", { count: shown.length })} ${guidePart("screens")}</h3>
     <ul>
       ${shown
         .slice(0, ROWS)

@@ -5,6 +5,7 @@ import type { ProgramCore } from "../core/program";
 import type { Actions } from "../desk/actions";
 import type { Derived } from "../desk/derive";
 import { el, on, setAttribute, setText, show } from "../dom";
+import { openGuide } from "../guide";
 import { type Command, meantBy } from "../keys";
 import type { Hit, Search } from "../search";
 import { pieces, plainWord, words } from "../search/words";
@@ -134,7 +135,11 @@ export function createPalette(store: Store, actions: Actions, leads: Leads, now:
     const [cycle] = cycles;
     const note = control && kind !== "measurement" ? t(`control-${control}`) : undefined;
     const run = (): void => {
-      if (kind === "result" || kind === "alarm") actions.card({ kind, code, key, cycles, others });
+      if (kind === "guide") openGuide(key);
+      else if (kind === "around") {
+        actions.panel("form");
+        actions.around(code);
+      } else if (kind === "result" || kind === "alarm") actions.card({ kind, code, key, cycles, others });
       else if (kind === "measurement" && cycle) {
         actions.chooseCycle(cycle, variant);
         actions.panel("form");

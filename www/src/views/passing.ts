@@ -4,13 +4,22 @@ import { el, on } from "../dom";
 
 type Child = Parameters<typeof el>[2];
 
-/** With its title, what scrolls, and its buttons; `id`: of the title, from which its other names come. */
-export function passingDialog(id: string, title: string, body: Child[], buttons: Child[]): HTMLDialogElement {
+/**
+ * With its title and what stands beside that, what scrolls, and its buttons; `id`: of the title, from which its other
+ * names come.
+ */
+export function passingDialog(
+  id: string,
+  title: string,
+  body: Child[],
+  buttons: Child[],
+  beside: Child = null,
+): HTMLDialogElement {
   const scrolls = { class: "exported-body scroll", tabindex: "0", role: "region", "aria-labelledby": id };
   return el(
     "dialog",
     { class: "exported", "aria-labelledby": id },
-    el("header", {}, el("h2", { id }, title)),
+    el("header", {}, el("h2", { id }, title), beside),
     el("div", scrolls, ...body),
     el("div", { class: "actions" }, ...buttons),
   );

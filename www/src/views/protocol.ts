@@ -7,6 +7,7 @@ import { createProver, type Prover } from "../core/proving";
 import type { Derived } from "../desk/derive";
 import { givenTo, machineTo } from "../desk/given";
 import { el } from "../dom";
+import { guidePart } from "../guide";
 import { iconPart } from "../icons";
 import { saveFile } from "../state/files";
 import type { State } from "../state/state";
@@ -154,6 +155,7 @@ export function createProtocol({ core, arrows, real }: ProtocolWays, changed: ()
               <strong>${t("protocol-of", { name: file.name })}</strong>
               <span role="status">${busy ? t("protocol-busy") : view ? say(view.ending) : ""}</span>
               <button type="button" @click=${over}>${iconPart("close")}<span>${t("protocol-close")}</span></button>
+              ${guidePart("measured")}
             </p>
             <p role="alert" ?hidden=${!problem}>${problem}</p>
             ${view ? unfit(view) : nothing}

@@ -6,6 +6,7 @@ import "../styles/repeat.css";
 import { html, nothing, render, svg, type TemplateResult } from "lit-html";
 import type { ProgramCore } from "../core/program";
 import { el, on } from "../dom";
+import { guideButton } from "../guide";
 import { parseNumber, plain } from "../numbers";
 import { saveFile } from "../state/files";
 import { say, sayProblem, t } from "../texts";
@@ -102,6 +103,7 @@ export function openRepeat(core: ProgramCore, setup: Setup | OwnMachine | undefi
       told,
     ],
     [...saving.map(({ button }) => button), closing],
+    guideButton("repeat"),
   );
   let view: RepeatView | null = null;
   let waiting = 0;

@@ -4,6 +4,7 @@ import { html, render, type TemplateResult } from "lit-html";
 import type { Actions } from "../desk/actions";
 import type { Derived } from "../desk/derive";
 import { el, on, setAttribute, setText, show } from "../dom";
+import { guidePart } from "../guide";
 import { meantBy } from "../keys";
 import type { Scanner } from "../scan/scanner";
 import { saveFile } from "../state/files";
@@ -55,7 +56,8 @@ function createLog(root: HTMLElement): Draw {
     const [log, written] = [outcome?.log ?? [], outcome?.written ?? []];
     const none = log.length === 0;
     render(
-      html`<p class="empty" ?hidden=${!none || written.length > 0}>${t("log-none")}</p>
+      html`${guidePart("log")}
+        <p class="empty" ?hidden=${!none || written.length > 0}>${t("log-none")}</p>
         ${written.map(file => fileAt(file, derived.step))}
         <pre class="log" tabindex="0" aria-label=${t("tab-log")} ?hidden=${none}>${piecesOf(log)}</pre>
         <div class="actions" ?hidden=${none}>

@@ -4,6 +4,7 @@ import { html, nothing, render } from "lit-html";
 import type { Actions } from "../desk/actions";
 import type { Derived } from "../desk/derive";
 import { el, on, show } from "../dom";
+import { guideButton } from "../guide";
 import { plain } from "../numbers";
 import type { State } from "../state/state";
 import type { Store } from "../state/store";
@@ -100,6 +101,7 @@ export function createScreen(
     { class: "actions" },
     start,
     el("label", { class: "check", for: "screen-halts" }, halts, t("screen-halt")),
+    guideButton("screens"),
   );
   const named = { class: "result-screen", tabindex: "0", role: "region", "aria-label": t("screen-open"), hidden: true };
   const root = el("section", named, shown, doing);

@@ -6,6 +6,7 @@ import { nothing, render } from "lit-html";
 import { createAside } from "../core/aside";
 import type { ProgramCore, SeriesQuestion } from "../core/program";
 import { el, on, show } from "../dom";
+import { guideButton } from "../guide";
 import { say, sayProblem, t } from "../texts";
 import type { Series, SeriesStart, SeriesView } from "../wire";
 import { printBelow, showPassing } from "./passing";
@@ -25,7 +26,7 @@ function printResult(view: SeriesView): void {
 /** What the dialog shows, and its buttons. */
 function build(start: SeriesStart | { why: string }) {
   const help = el("details", { class: "series-help", open: true }, el("summary", {}, t("runs-choose")));
-  if (!("why" in start)) help.append(...start.help.map(one => el("p", {}, say(one))));
+  if (!("why" in start)) help.append(...start.help.map(one => el("p", {}, say(one))), guideButton("limits"));
   const parts = {
     fields: el("div", { class: "series-fields" }),
     problem: el("p", { class: "series-problem", role: "alert" }, "why" in start ? sayProblem(start.why) : ""),
@@ -60,7 +61,7 @@ function build(start: SeriesStart | { why: string }) {
   const dialog = el(
     "dialog",
     { class: "series", "aria-labelledby": "series-title" },
-    el("header", {}, el("h2", { id: "series-title" }, t("runs-title"))),
+    el("header", {}, el("h2", { id: "series-title" }, t("runs-title")), guideButton("series")),
     el("div", { class: "series-body" }, asked, answered),
     el("div", { class: "actions" }, running, stopping, example, printing, closing),
   );

@@ -1,11 +1,12 @@
-// Concepts of measuring, a page each, and the terms of the manuals: searched by any word of them. Nothing is kept.
+// Guides to what the page does, concepts of measuring, a page each, and the terms of the manuals: searched by any word
+// of them. Nothing is kept.
 
 import "../styles/exported.css";
 import "../styles/terms.css";
 import type { ProgramCore } from "../core/program";
 import { el, on, setText, show } from "../dom";
-import { helpWords, say, t } from "../texts";
-import type { ConceptView, TermsView, TermView } from "../wire";
+import { helpWords, optional, say, t } from "../texts";
+import type { ConceptView, GuideView, Message, TermsView, TermView } from "../wire";
 import { passingDialog, showPassing } from "./passing";
 import { createTermPicture } from "./term-picture";
 
@@ -16,7 +17,7 @@ interface Entry {
 }
 
 const plain = (text: string): string => text.toLocaleLowerCase();
-const entry = (root: HTMLElement): Entry => ({ root, words: plain(root.textContent ?? "") });
+const entry = (root: HTMLElement, more = ""): Entry => ({ root, words: plain(`${root.textContent} ${more}`) });
 
 /** Data that hold it, and the place in the manual. */
 function place(names: string[], source: string): HTMLElement {
@@ -39,6 +40,25 @@ function page(core: ProgramCore, { id, title, lines, names, source, example }: C
   return root;
 }
 
+/** `go`: leads to what it tells about; null: from there it was opened. */
+function guidePage(
+  { title, lines, way, terminal, source }: GuideView,
+  go: ((way: string) => void) | null,
+): HTMLElement {
+  const going = el("button", { type: "button" }, t("guide-go"));
+  on(going, "click", () => go?.(way));
+  return el(
+    "details",
+    { class: "term-page", id: title.key },
+    el("summary", {}, say(title)),
+    ...lines.map(line => el("p", {}, say(line))),
+    el("p", {}, el("small", {}, t("terms-terminal"))),
+    el("pre", { tabindex: "0" }, terminal.join("\n")),
+    source ? place([], source) : null,
+    go ? el("p", {}, going) : null,
+  );
+}
+
 function definition({ term, meaning, names, see, source }: TermView): HTMLElement {
   const further = see.length ? [el("span", { class: "term-see" }, `→ ${see.map(say).join(", ")}`)] : [];
   return el(
@@ -49,10 +69,11 @@ function definition({ term, meaning, names, see, source }: TermView): HTMLElemen
   );
 }
 
-/** Concepts by group, then the terms in the order of the language. */
+/** Guides and concepts by group, then the terms in the order of the language. */
 function list(
   core: ProgramCore,
-  { concepts, terms }: TermsView,
+  { guides, concepts, terms }: TermsView,
+  go: ((way: string) => void) | null,
 ): { parts: HTMLElement[]; entries: Entry[]; heads: HTMLElement[] } {
   const parts: HTMLElement[] = [];
   const entries: Entry[] = [];
@@ -63,25 +84,36 @@ function list(
     parts.push(heading);
   };
   let group = "";
-  for (const concept of concepts) {
-    if (concept.group.key !== group) head(say(concept.group));
-    group = concept.group.key;
-    const root = page(core, concept);
+  const add = (under: Message, root: HTMLElement, more = ""): void => {
+    if (under.key !== group) head(say(under));
+    group = under.key;
     parts.push(root);
-    entries.push(entry(root));
-  }
+    entries.push(entry(root, more));
+  };
+  for (const guide of guides) add(guide.group, guidePage(guide, go), optional(`${guide.title.key}-words`));
+  for (const concept of concepts) add(concept.group, page(core, concept));
   head(t("terms-list"));
   const sorted = terms.toSorted((one, other) => say(one.term).localeCompare(say(other.term)));
   const roots = sorted.map(definition);
   parts.push(el("dl", {}, ...roots));
-  entries.push(...roots.map(entry));
+  entries.push(...roots.map(root => entry(root)));
   return { parts, entries, heads };
 }
 
-/** Opens the dialog; `concept`: whose page is open at first. */
-export async function openTerms(core: ProgramCore, end: AbortSignal, concept?: string): Promise<void> {
+/** Opens the dialog; `go`: leads to what a guide tells about; `first`: id of the page that is open at first. */
+export async function openTerms(
+  core: ProgramCore,
+  end: AbortSignal,
+  go: (way: string) => void,
+  first?: string,
+): Promise<void> {
   await helpWords();
-  const { parts, entries, heads } = list(core, core.terms());
+  const leave = (way: string): void => {
+    dialog.close();
+    go(way);
+  };
+  const inDialog = document.querySelector("dialog[open]") !== null; // what it tells about, or something else
+  const { parts, entries, heads } = list(core, core.terms(), inDialog ? null : leave);
   const search = el("input", { type: "search", id: "terms-search", placeholder: t("terms-search-hint") });
   const none = el("p", { class: "empty", role: "status" });
   const closing = el("button", { type: "button", class: "primary" }, t("exported-close"));
@@ -105,7 +137,7 @@ export async function openTerms(core: ProgramCore, end: AbortSignal, concept?: s
   on(search, "input", find);
   find();
   showPassing(dialog, closing, end, () => {});
-  const opened = concept ? dialog.querySelector<HTMLDetailsElement>(`#concept-${concept}`) : null;
+  const opened = first ? dialog.querySelector<HTMLDetailsElement>(`#${first}`) : null;
   if (!opened) {
     search.focus();
     return;

@@ -6,6 +6,7 @@ import "../styles/repeat.css";
 import { html, nothing, render, type TemplateResult } from "lit-html";
 import type { ProgramCore } from "../core/program";
 import { el, on } from "../dom";
+import { guideButton } from "../guide";
 import { saveFile } from "../state/files";
 import { say, sayProblem, t } from "../texts";
 import type { UserProgramsRequest, UserProgramsView } from "../wire";
@@ -72,6 +73,7 @@ export function openUserPrograms(core: ProgramCore, end: AbortSignal): void {
       told,
     ],
     [...saving.map(({ button }) => button), closing],
+    guideButton("user-programs"),
   );
   let view: UserProgramsView | null = null;
   let waiting = 0;

@@ -4,6 +4,7 @@
 import { createAside } from "../core/aside";
 import type { ProgramCore, ProgramQuestion } from "../core/program";
 import { el, on, setText, show } from "../dom";
+import { guideButton } from "../guide";
 import { icon } from "../icons";
 import { fixed } from "../numbers";
 import { say, sayProblem, t } from "../texts";
@@ -43,7 +44,14 @@ export function createWholeCertain(ways: CertainWays, rows: () => Row[], changed
   const button = el("button", { type: "button", title: t("whole-certain-hint") }, icon("gauge"), word);
   const sum = el("span", {});
   const chosen = el("span", { class: "whole-certain-row", hidden: true });
-  const status = el("p", { class: "whole-certain", role: "status", hidden: true }, sum, " ", chosen);
+  const status = el(
+    "p",
+    { class: "whole-certain", role: "status", hidden: true },
+    sum,
+    " ",
+    chosen,
+    guideButton("certainty"),
+  );
   let known: WholeCertainty | null = null;
   let looking = 0;
   const report = (text: string): void => {

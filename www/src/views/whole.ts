@@ -6,6 +6,7 @@ import type { Actions } from "../desk/actions";
 import { lineIn, shortLine } from "../desk/beside";
 import type { Derived } from "../desk/derive";
 import { el, on, setAttribute, setText, show } from "../dom";
+import { guideButton } from "../guide";
 import { type IconName, icon, iconPart } from "../icons";
 import { type Command, meantBy } from "../keys";
 import { fileOf, saveFile } from "../state/files";
@@ -209,7 +210,7 @@ export function createWhole(
   );
   const series = el("button", { type: "button", title: t("runs-open-hint") }, icon("dice"), label(t("runs-open")));
   const certain = createWholeCertain(ways, () => rows(), drawRows);
-  const buttons = [worst, asTable, asDocument, certain.button, series, onPaper, real];
+  const buttons = [worst, asTable, asDocument, certain.button, series, onPaper, real, guideButton("record")];
   const top = el("div", { class: "whole-top" }, el("h3", {}, t("whole-title")), counts, ...buttons);
   const root = el("section", { class: "whole" }, top);
 

@@ -9,6 +9,7 @@ use probewright_core::message::Message;
 use probewright_core::report::explain::{arguments, cycle, datum, list, older, setting_datum, variant};
 use probewright_core::report::findings::finding;
 use probewright_core::report::foreign;
+use probewright_core::report::guides;
 use probewright_core::report::jog::explained;
 use probewright_core::report::terms;
 use probewright_core::words::Words;
@@ -16,8 +17,12 @@ use std::io::Write;
 use std::process::ExitCode;
 
 /// The help page of a variant of a cycle, or of a mask of measuring in JOG; else what a finding, an alarm, a parameter,
-/// a result or a datum of the machine means.
+/// a result or a datum of the machine means, or a guide; `guides` lists these.
 pub fn explain(name: &str, number: Option<i64>, words: &Words, out: &mut dyn Write) -> Result<ExitCode, Problem> {
+    if name.eq_ignore_ascii_case("guides") {
+        write!(out, "{}", guides::list(words))?;
+        return Ok(ExitCode::SUCCESS);
+    }
     let found = CYCLES.iter().find(|one| one.name.eq_ignore_ascii_case(name));
     let text = match (found, masks::find(name)) {
         (Some(found), _) => page(found, number, words)?,
@@ -31,8 +36,10 @@ pub fn explain(name: &str, number: Option<i64>, words: &Words, out: &mut dyn Wri
                 + &older(name, words)
                 + &foreign
                 + &terms::explained(name, words)
+                + &guides::explained(name, words)
         }
     };
+    let text = if text.is_empty() { guides::found(name, words) } else { text };
     if text.is_empty() {
         return alarms::alarms(Some(name), false, words, out)
             .map_err(|_| wrong(Message::new("terminal-name").text("name", name)));
