@@ -2,7 +2,7 @@
 
 book-title = Probewright-Handbuch
 book-spoken = Deutsch
-book-about = Konzepte und Begriffe, Messen im JOG, Inbetriebnahme, Alarme, Maschinendaten und eine Seite zu jedem Messzyklus und Makro.
+book-about = Anleitungen, Konzepte und Begriffe, Messen im JOG, Inbetriebnahme, Alarme, Maschinendaten und eine Seite zu jedem Messzyklus und Makro.
 book-basics = Grundlagen
 book-reference = Nachschlagen
 book-cycles = SINUMERIK-Zyklen

@@ -2,7 +2,7 @@
 
 book-title = Probewright handbook
 book-spoken = English
-book-about = Concepts, measuring in JOG, commissioning, alarms, machine data, and a page for each measuring cycle and macro.
+book-about = Guides, concepts, measuring in JOG, commissioning, alarms, machine data, and a page for each measuring cycle and macro.
 book-basics = Basics
 book-reference = Reference
 book-cycles = SINUMERIK cycles

@@ -2,7 +2,7 @@
 
 book-title = Probewright 手册
 book-spoken = 中文
-book-about = 概念与术语、JOG 方式下的测量、调试、报警、机床数据，以及每个测量循环和宏程序的说明页。
+book-about = 指南、概念与术语、JOG 方式下的测量、调试、报警、机床数据，以及每个测量循环和宏程序的说明页。
 book-basics = 基础
 book-reference = 参考
 book-cycles = SINUMERIK 循环

@@ -10,7 +10,7 @@ use std::path::Path;
 const FIRST: &str = "en";
 /// Groups of the contents, each with its pages; cycles follow, as many as there are.
 const GROUPS: [(&str, &[&str]); 2] = [
-    ("book-basics", &["terms", "jog", "commissioning", "around"]),
+    ("book-basics", &["guides", "terms", "jog", "commissioning", "around"]),
     ("book-reference", &["alarms", "machine-data", "generations", "coverage"]),
 ];
 const CYCLES: &str = "cycles/";
