@@ -46,7 +46,7 @@ describe("around", () => {
     const { context, page, problems } = await startWithEditor(chrome);
     await openProgram(page, MEASURED);
     await page.locator(".panel-view").getByRole("button", { name: "Whole program" }).click();
-    await page.locator(".screen-list button").click();
+    await page.locator(".screen-list li button").click();
     const screen = page.getByRole("region", { name: "Measuring result screen" });
     await focused(page, screen);
     assert.match(await screen.textContent(), /Workpiece measurement[\s\S]*132/);

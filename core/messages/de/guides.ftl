@@ -135,5 +135,5 @@ guide-commissioning-3 = Wo ein Schritt Maschinendaten verlangt, sagt „Maschine
 guide-background = Anleitungen, Begriffe und Konzepte
 guide-background-words = Hilfe, Anleitung, Glossar, Wörterbuch, Konzept, Begriff, Bedeutung, erklären, Handbuch
 guide-background-1 = Erklärt, wie man mit Probewright arbeitet und was die Handbücher der Messzyklen voraussetzen.
-guide-background-2 = „Anleitungen, Begriffe und Konzepte“ wählen und ein beliebiges Wort eingeben. „Konzept“ neben einem Feld öffnet das Konzept dazu, ein Fragezeichen in einem Dialog dessen Anleitung.
+guide-background-2 = Strg+K drücken, „Anleitungen, Begriffe und Konzepte“ wählen und ein beliebiges Wort eingeben. „Konzept“ neben einem Feld öffnet das Konzept dazu, ein Fragezeichen in einem Dialog dessen Anleitung.
 guide-background-3 = Jede Messvariante hat eine eigene Hilfeseite: „Hilfe“ neben der Maske.

@@ -135,5 +135,5 @@ guide-commissioning-3 = Where a step asks for machine data, “Check a machine�
 guide-background = Guides, concepts and terms
 guide-background-words = help, guide, glossary, dictionary, concept, term, meaning, explain, manual
 guide-background-1 = Explains how to work with Probewright, and what the manuals of measuring cycles take for granted.
-guide-background-2 = Choose “Guides, concepts and terms” and type any word. “Concept” beside a field opens the concept that it needs, and a question mark in a dialog its guide.
+guide-background-2 = Press Ctrl+K, choose “Guides, concepts and terms” and type any word. “Concept” beside a field opens the concept that it needs, and a question mark in a dialog its guide.
 guide-background-3 = Each measuring variant has a help page of its own: “Help” beside the form.

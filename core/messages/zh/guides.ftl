@@ -134,5 +134,5 @@ guide-commissioning-3 = 步骤要求机床数据时，“检查机床”会说�
 guide-background = 指南、概念与术语
 guide-background-words = 帮助, 指南, 词汇表, 词典, 概念, 术语, 含义, 说明, 手册
 guide-background-1 = 说明如何使用 Probewright，以及测量循环手册默认读者已知的内容。
-guide-background-2 = 选“指南、概念与术语”，输入任意词。输入栏旁的“概念”打开相关概念，对话框中的问号打开其指南。
+guide-background-2 = 按 Ctrl+K，选“指南、概念与术语”，输入任意词。输入栏旁的“概念”打开相关概念，对话框中的问号打开其指南。
 guide-background-3 = 每种测量方式都有自己的帮助页：表单旁的“帮助”。

@@ -1015,6 +1015,7 @@ machine-values-where = Gelesen in
 
 # Guides, concepts and terms of the manuals.
 terms-title = Anleitungen, Begriffe und Konzepte
+terms-open = Anleitungen, Begriffe
 terms-search = Anleitungen, Begriffe und Konzepte suchen
 terms-search-hint = Schaltpunkt, Mittelwert, Cpk
 terms-drag = Ziehen: { $what }

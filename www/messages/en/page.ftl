@@ -997,6 +997,7 @@ machine-values-where = Used in
 
 # Guides, concepts and terms of the manuals.
 terms-title = Guides, concepts and terms
+terms-open = Guides, terms
 terms-search = Search guides, concepts and terms
 terms-search-hint = Trigger point, mean value, Cpk
 terms-drag = Drag: { $what }

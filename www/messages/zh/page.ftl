@@ -959,6 +959,7 @@ machine-values-where = 使用处
 
 # Guides, concepts and terms of the manuals.
 terms-title = 指南、概念与术语
+terms-open = 指南、术语
 terms-search = 搜索指南、概念与术语
 terms-search-hint = 触发点、平均值、Cpk
 terms-drag = 拖动：{ $what }

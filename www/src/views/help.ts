@@ -20,7 +20,7 @@ export function createHelp(
   background: () => void,
 ): (state: State, derived: Derived) => void {
   const title = el("h2", { id: "help-title" });
-  const terms = el("button", { type: "button", class: "quiet" }, t("terms-title"));
+  const terms = el("button", { type: "button", class: "quiet" }, t("terms-open"));
   const close = el("button", { type: "button", class: "quiet" }, t("help-close"));
   const note = el("p", { class: "empty" });
   const page = el("div", { class: "help-page" });
