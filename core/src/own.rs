@@ -222,6 +222,7 @@ sentences! {
     ARGUMENTS_MANY 186 Error "list-arguments-many" "list-arguments-many-hint";
     SELECTION 187 Error "list-selection" "list-selection-hint";
     NEWER_OPEN 188 Note "newer-open" "";
+    NEWER_BEYOND 188 Note "newer-beyond" "";
     CONVERT_NEWER 188 Error "convert-newer" "convert-newer-hint";
     WRITE_NEWER 188 Error "write-newer" "write-no-list-hint";
     NEWER_TARGET 189 Warning "newer-target" "newer-target-hint";

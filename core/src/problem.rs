@@ -22,7 +22,7 @@ pub const KEYS: &[&str] = &[
     "run-step", "run-data", "run-trace-full", "run-axes", "run-waits", "run-passed", "run-synchronous",
     "run-transformed", "run-restart", "run-program-unknown", "run-skipped-dry-run", "run-skipped-program-test",
     "run-skipped-block-search", "run-skipped-simulation", "run-jobshop", "run-deviation", "run-search-missed",
-    "run-mode-none",
+    "run-mode-none", "run-foreign",
 ];
 
 /// Keys of what a run goes on without: named at its end.

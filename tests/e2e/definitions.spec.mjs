@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { after, before, describe, test } from "node:test";
-import { open, packages, shared } from "./browser.mjs";
+import { counts, open, packages, shared } from "./browser.mjs";
 import { openPageMenu } from "./start.mjs";
 
 const axe = packages.resolve("axe-core/axe.min.js");
@@ -47,6 +47,11 @@ describe("definition files", () => {
     );
     await read("x.txt", "G0 X1\n");
     await shown.getByRole("alert").filter({ hasText: /./ }).waitFor();
+    // what a newer control exported makes the machine one of those, and has lines of its own
+    await read("A.TEA", "N54600 $SNS_MEA_WP_BALL_DIAM[0]=5.9\nCHANDATA(1)\nN55634 $SCS_MEA_FEED_PLANE_VALUE=700\n");
+    await shown.getByText(/2 values read.*generation 3/).waitFor();
+    assert.match(await shown.textContent(), /N54600 \$SNS_MEA_WP_BALL_DIAM\[0\]=5\.9\n/);
+    await counts(shown.getByText("Memory of user data"), 0);
     assert.deepEqual(problems, []);
     await context.close();
   });

@@ -63,6 +63,40 @@ describe("an argument list of newer controls", () => {
     await page.locator(".cm-told").waitFor();
     assert.match(await page.locator(".cm-told").textContent(), /S_SETV: .*ball/i);
     if (process.env.PICTURES) await page.screenshot({ path: `${process.env.PICTURES}/told-1280.png` });
+    // by key as well: at the caret, until it is closed or the caret moves
+    await page.mouse.move(0, 0);
+    await line.click();
+    await page.keyboard.press("End");
+    await page.keyboard.press("ArrowLeft");
+    await page.locator(".cm-told").waitFor({ state: "detached" });
+    await page.keyboard.press("Control+i");
+    await page.locator(".cm-told").waitFor();
+    assert.match(await page.locator(".cm-announced").textContent(), /S_SETV: .*ball/i, "and it is said");
+    await page.keyboard.press("Escape");
+    await page.locator(".cm-told").waitFor({ state: "detached" });
+    await page.keyboard.press("Control+i");
+    await page.locator(".cm-told").waitFor();
+    await page.keyboard.press("Home");
+    await page.locator(".cm-told").waitFor({ state: "detached" });
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
+  // oracle: hand (a program that is read and not run is refused in one sentence)
+  test("a program of another maker has its calls, and one refusal of its run", async () => {
+    const { context, page, problems } = await start(chrome);
+    await openProgram(page, "0 BEGIN PGM A MM\n1 TCH PROBE 427 MEASURE COORDINATE ~\n  Q263=+1 ;1ST POINT\n2 M30\n");
+    const rows = page.locator(".call-row");
+    if (!(await rows.first().isVisible())) await page.locator("button[aria-controls=outline]").click();
+    await rows.first().waitFor();
+    assert.match(await rows.first().textContent(), /TCH PROBE 427/);
+    await page.getByRole("button", { name: "Whole program" }).click();
+    await page
+      .getByText(/Program of HEIDENHAIN TNC, probe cycles: 1\. It is read, checked/)
+      .first()
+      .waitFor();
+    assert.equal(await page.getByText("PW310").count(), 0);
+    if (process.env.PICTURES) await page.screenshot({ path: `${process.env.PICTURES}/tnc-1280.png` });
     assert.deepEqual(problems, []);
     await context.close();
   });

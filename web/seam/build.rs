@@ -33,6 +33,7 @@ const CORE: Seam = Seam {
         Ok(json::text(&run.view()))
     },
     note: answered!(app::noted),
+    pointed: answered!(|asked| Ok(app::pointed(&asked))),
     scenario: |text| {
         let scenario = json::file(text).map_err(|error| error.to_string())?;
         let view = app::scenario(app::ScenarioRequest { scenario, beside: None });

@@ -57,6 +57,8 @@ export const KEYS = {
     find: ["Ctrl+F"],
     "next-problem": ["F8"],
     problems: ["Ctrl+Shift+M"],
+    tell: ["Ctrl+I"],
+    untell: ["Escape"],
   },
   // the axes where the machine is under the hand
   jog: {

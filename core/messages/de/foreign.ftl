@@ -13,6 +13,7 @@ foreign-range-hint = Einen Wert innerhalb dieser Grenzen eingeben.
 foreign-limits = { $maximum } ist kleiner als { $minimum }: Kein Maß liegt in den Grenzen.
 foreign-limits-hint = Die beiden Werte vertauschen.
 foreign-not-written = Das ist { $cycle } von { $control }. Der Zyklus wird gelesen und erklärt, aber nicht geschrieben: Keine veröffentlichte Seite nennt alle Werte.
+foreign-form = { $call } wird gelesen und erklärt, aber nicht geschrieben: Keine veröffentlichte Seite zeigt einen Tastsystemzyklus für { $control } in dieser Form. Stattdessen { $cycle } schreiben.
 foreign-place = { $control } fährt die Messpunkte selbst an. { $names } gelten für eine Startposition am Nullpunkt, Messhöhe { $height } und sichere Höhe { $clearance }: eigene Werte eingeben.
 foreign-usual = Nicht in diesem Aufruf, mit dem üblichen Wert geschrieben: { $names }.
 foreign-datum = { $control } speichert Bezugspunkte in Tabellen: Q305=0 setzt den aktiven Bezugspunkt, eine andere Nummer eine Zeile der Tabelle.
@@ -25,6 +26,7 @@ foreign-written = ja
 foreign-unwritten = nein: Keine veröffentlichte Seite nennt alle Werte
 report-foreign = { $control }: Tastsystemzyklen
 tnc-results = Istwerte stehen in Q150 bis Q160, Abweichungen in Q161 bis Q166; Q180 = 1 heißt Gut, Q181 = 1 Nacharbeit, Q182 = 1 Ausschuss.
+tnc-unpublished = Auch DIN/ISO-Programme werden gelesen: G421 ist TCH PROBE 421 mit denselben Parametern, bis zum Stern. Nicht veröffentlicht und deshalb nicht geschrieben: Tastsystemzyklen in DIN/ISO; 414 bis 416, 418 und 431 (Ecke, Lochkreis, vier Bohrungen, Ebene); von 430 die letzten drei Parameter.
 tnc-400-title = Grunddrehung aus zwei Punkten einer Kante
 tnc-403-title = Gleicht die Schräglage einer Kante mit einer Drehachse aus
 tnc-408-title = Bezugspunkt in der Mitte einer Nut

@@ -76,4 +76,12 @@ definitions-read = { $read ->
     [one] Ein Wert gelesen
    *[other] { $read } Werte gelesen
   }, { $changed } geändert, { $problems } nicht angenommen.
+definitions-read-newer = { $read ->
+    [one] Ein Wert gelesen
+   *[other] { $read } Werte gelesen
+  }, { $changed } geändert, { $problems } nicht übernommen. Es sind Settingdaten: Die Maschine gehört jetzt zur Generation 3 (PW-GENERATION). Für 840D sl 2.5 und 2.6 sowie 828D bis 4.3 die 2 wählen.
+definitions-settings = { $channels ->
+    [one] Die Zeilen als Inbetriebnahmedatei einlesen oder die Werte in die Maschinen- und Settingdaten eintragen.
+   *[other] Die Zeilen als Inbetriebnahmedatei einlesen oder die Werte in die Maschinen- und Settingdaten eintragen; die hinter CHANDATA(1) in jedem messenden Kanal.
+  } Danach die Messtaster kalibrieren.
 definitions-channels = Eine Steuerung hat 1 bis { $most } Kanäle.

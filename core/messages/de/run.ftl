@@ -85,6 +85,7 @@ run-waits = Das Programm wartet hier auf „{ $word }“. Ab hier angenommen: { 
 run-machine-value-hint = Den Wert in den Daten der Maschineneinrichtung eintragen.
 run-argument-unknown = Das Programm hat keinen Parameter „{ $word }“.
 run-program-unknown = Der Text enthält kein Programm „{ $word }“. Er enthält: { $names }.
+run-foreign = Programm für { $control }, Tastsystemzyklen: { $count }. Es wird gelesen, geprüft und erklärt, hier aber nicht ausgeführt.
 run-unread-value = Der Wert von „{ $word }“ ist unbekannt: Zeile { $line } wurde nicht vollständig ausgeführt.
 run-unread-way = „{ $word }“ ist nicht lesbar; davon hängt ab, welcher Satz folgt.
 run-ended = Das Programm ist bis zum Ende gelaufen.

@@ -13,6 +13,7 @@ foreign-range-hint = Enter a value within these limits.
 foreign-limits = { $maximum } is smaller than { $minimum }: no size is within the limits.
 foreign-limits-hint = Exchange the two values.
 foreign-not-written = { $cycle } of { $control } does this. It is read and explained, but not written: no published page has all its values.
+foreign-form = { $call } is read and explained, but not written: no published page shows a probe cycle of { $control } in this form. Write { $cycle } instead.
 foreign-place = { $control } moves to the measuring points by itself. { $names } are for a start position at the zero point, measuring height { $height } and clearance height { $clearance }: enter yours.
 foreign-usual = Not in this call, written with the usual value: { $names }.
 foreign-datum = { $control } keeps datums in tables: Q305=0 sets the active datum, another number a row of the table.
@@ -25,6 +26,7 @@ foreign-written = yes
 foreign-unwritten = no: no published page has all its values
 report-foreign = { $control }: probe cycles
 tnc-results = Actual values are in Q150 to Q160, deviations in Q161 to Q166; Q180 = 1 is within tolerance, Q181 = 1 rework, Q182 = 1 scrap.
+tnc-unpublished = DIN/ISO programs are read as well: G421 is TCH PROBE 421, with the same parameters, up to the asterisk. Not published, so not written: probe cycles in DIN/ISO; 414 to 416, 418 and 431 (corner, bolt hole circle, four holes, plane); of 430 the last three parameters.
 tnc-400-title = Basic rotation from two points of a straight edge
 tnc-403-title = Compensates the angle of an edge with a rotary axis
 tnc-408-title = Datum in the middle of a groove

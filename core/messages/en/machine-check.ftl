@@ -76,4 +76,12 @@ definitions-read = { $read ->
     [one] One value read
    *[other] { $read } values read
   }, { $changed } changed, { $problems } not accepted.
+definitions-read-newer = { $read ->
+    [one] One value read
+   *[other] { $read } values read
+  }, { $changed } changed, { $problems } not accepted. They are setting data: the machine is now of generation 3 (PW-GENERATION). For 840D sl 2.5 and 2.6 and 828D up to 4.3, choose 2.
+definitions-settings = { $channels ->
+    [one] Read the lines in as a start-up file, or enter the values in the machine and setting data.
+   *[other] Read the lines in as a start-up file, or enter the values in the machine and setting data; those behind CHANDATA(1) in each channel that measures.
+  } Calibrate the probes afterwards.
 definitions-channels = A control has 1 to { $most } channels.

@@ -85,6 +85,7 @@ run-waits = The program waits here for “{ $word }”. Assumed from here on: { 
 run-machine-value-hint = Enter the value in the data of the setup.
 run-argument-unknown = “{ $word }” is not a parameter of the program.
 run-program-unknown = There is no program “{ $word }” in this text. Programs in it: { $names }.
+run-foreign = Program of { $control }, probe cycles: { $count }. It is read, checked and explained; here it is not run.
 run-unread-value = The value of “{ $word }” is not known: line { $line } was not executed in full.
 run-unread-way = “{ $word }” cannot be read, and which block follows depends on it.
 run-ended = The program ran to its end.

@@ -13,6 +13,7 @@ foreign-range-hint = 输入此范围内的值。
 foreign-limits = { $maximum } 小于 { $minimum }：没有尺寸能在极限内。
 foreign-limits-hint = 将两个值对调。
 foreign-not-written = { $control } 的 { $cycle } 可完成此任务。该循环可读取并说明，但不生成：没有公开资料列出其全部取值。
+foreign-form = { $call } 可以读取和说明，但不能生成：没有公开资料给出 { $control } 探测循环的这种写法。请改写 { $cycle }。
 foreign-place = { $control } 自行移动到测量点。{ $names } 按起点位于零点、测量高度 { $height }、安全高度 { $clearance } 填写：请改为实际值。
 foreign-usual = 此调用中没有，按常用值填写：{ $names }。
 foreign-datum = { $control } 将原点保存在表中：Q305=0 设置当前原点，其他编号设置表中的一行。
@@ -25,6 +26,7 @@ foreign-written = 是
 foreign-unwritten = 否：没有公开资料列出其全部取值
 report-foreign = { $control }：探测循环
 tnc-results = 实际值在 Q150 至 Q160 中，偏差在 Q161 至 Q166 中；Q180 = 1 为合格，Q181 = 1 为返工，Q182 = 1 为报废。
+tnc-unpublished = DIN/ISO 程序也可读取：G421 即 TCH PROBE 421，参数相同，直到星号为止。以下内容未公开，因此不生成：DIN/ISO 格式的探测循环；414 至 416、418 和 431（拐角、圆周孔、四孔、平面）；430 的最后三个参数。
 tnc-400-title = 由一条直边上的两点确定基本旋转
 tnc-403-title = 用旋转轴补偿一条边的角度
 tnc-408-title = 以槽的中心为原点

@@ -85,6 +85,7 @@ run-waits = 程序在此等待“{ $word }”。从此处起假定为 { $value }
 run-machine-value-hint = 请在机床配置的数据中输入该值。
 run-argument-unknown = 程序没有参数“{ $word }”。
 run-program-unknown = 文本中没有程序“{ $word }”。其中的程序：{ $names }。
+run-foreign = { $control } 的程序，探测循环：{ $count } 个。可以读取、检查和说明；此处不能运行。
 run-unread-value = “{ $word }”的值未知：第 { $line } 行未完整执行。
 run-unread-way = “{ $word }”无法读取，而接下来执行哪个程序段取决于它。
 run-ended = 程序已运行到结尾。

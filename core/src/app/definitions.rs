@@ -5,15 +5,17 @@ use super::Error;
 use super::machine::{MachineView, with_values};
 use super::machine_check::{Exported, ExportedFile};
 use super::start::{Machine, start};
+use crate::control::arrays::stem;
 use crate::control::gud::{self, Block, Gud};
 use crate::control::needs::{GUD_MEMORY, GUD_MEMORY_SOURCE, GUD_VALUES, NEEDS, Use};
-use crate::control::{Control, Value, delivery_in};
+use crate::control::{Control, GENERATION, Value, delivery_in, setting_data as data};
 use crate::diagnostic::Severity;
 use crate::dialect::Dialect;
 use crate::entry::Typed;
 use crate::manual::Cited;
 use crate::message::Message;
 use crate::program::write::definition_files::{FILES, bytes, is_sized, lines, size, values};
+use crate::program::write::setting_data;
 use crate::refused::Path;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
@@ -104,24 +106,40 @@ pub fn definitions(asked: DefinitionsRequest) -> Result<DefinitionsView, Error> 
     let mut files: Vec<DefinitionsText> =
         wanted.map(|file| text(file.name, lines(file, &control, &delivered))).collect();
     files.push(text(PROGRAM, values(&control, &delivered)));
+    if control.has_setting_data() {
+        // definition files of user data are of the first generation
+        files = vec![text(SETTINGS, setting_data::lines(&control, &delivered))];
+    }
     files.retain(|file| !file.text.is_empty());
-    let memory = memory(&control, &delivered, jog);
-    let needs = needs(&memory, channels, jog);
+    let (memory, needs) = match control.has_setting_data() {
+        true => Default::default(),
+        false => {
+            let memory = memory(&control, &delivered, jog);
+            let needs = needs(&memory, channels, jog);
+            (memory, needs)
+        }
+    };
     Ok(DefinitionsView { notes: notes(&files, channels), files, memory, needs })
 }
 
 /// The program of value assignments.
 const PROGRAM: &str = "PW_MEAS_VALUES.MPF";
+/// The lines of setting and machine data.
+const SETTINGS: &str = "PW_MEAS.TEA";
 /// Names under which lines are saved: no name of a delivered file, which they do not replace.
-const SAVED: [(&str, &str); 4] = [
+const SAVED: [(&str, &str); 5] = [
     ("GUD5.DEF", "GUD5-lines.txt"),
     ("GUD6.DEF", "GUD6-lines.txt"),
     ("GUD7_MC.DEF", "GUD7_MC-lines.txt"),
     (PROGRAM, PROGRAM),
+    (SETTINGS, SETTINGS),
 ];
 
 /// What is to be done, in its order (B:13262-13292, B:14157-14168).
 fn notes(files: &[DefinitionsText], channels: u32) -> Vec<Message> {
+    if files.iter().any(|file| file.name == SETTINGS) {
+        return vec![Message::new("definitions-settings").number("channels", f64::from(channels))];
+    }
     let names: Vec<&str> = files.iter().map(|file| file.name).filter(|name| *name != PROGRAM).collect();
     let mut notes = Vec::new();
     if !names.is_empty() {
@@ -174,6 +192,9 @@ fn needs(memory: &[MemoryShare], channels: u32, jog: bool) -> Vec<MemoryNeed> {
     needs
 }
 
+/// The generation of a machine whose files have setting data, where it is not told: that of the published tables.
+const GENERATION_OF_SETTINGS: &str = "3";
+
 /// Files of a control whose values a machine is to have.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
@@ -208,11 +229,21 @@ pub fn read_back(asked: ReadBackRequest) -> Result<ReadBack, Error> {
         given.add(file, &one.text);
     }
     let of_first = given.data.keys().filter(|(_, channel)| *channel < 2);
-    let typed: Typed =
+    let mut typed: Typed =
         of_first.filter_map(|(name, _)| Some((name.clone(), text(&given.get(name, 1)?.value)))).collect();
     let before = with_values(asked.setup.clone(), &[])?;
+    let is_newer = typed.keys().any(|name| data::find(stem(name)).is_some());
+    let was_newer = start(Dialect::Sinumerik, asked.setup.clone())?.setup.control.has_setting_data();
+    let becomes_newer = is_newer && !was_newer;
+    if becomes_newer {
+        typed.insert(GENERATION.to_owned(), GENERATION_OF_SETTINGS.to_owned());
+    }
     // how many there are comes first: it decides which others there are
-    let machine = with_values(asked.setup, &[typed.clone(), typed.clone()])?;
+    let mut times = vec![typed.clone(); 2];
+    if becomes_newer {
+        times.push(typed.clone());
+    }
+    let machine = with_values(asked.setup, &times)?;
     let there: BTreeSet<&str> =
         machine.groups.iter().flat_map(|group| &group.fields).map(|field| field.setting.name.as_str()).collect();
     let read = typed.keys().filter(|name| there.contains(name.as_str())).count();
@@ -221,7 +252,7 @@ pub fn read_back(asked: ReadBackRequest) -> Result<ReadBack, Error> {
     }
     let names: BTreeSet<&String> = before.data.keys().chain(machine.data.keys()).collect();
     let changed = names.into_iter().filter(|name| before.data.get(*name) != machine.data.get(*name)).count();
-    let ending = Message::new("definitions-read")
+    let ending = Message::new(if becomes_newer { "definitions-read-newer" } else { "definitions-read" })
         .number("read", read as f64)
         .number("changed", changed as f64)
         .number("problems", machine.problems.len() as f64);
@@ -238,7 +269,7 @@ fn text(value: &Value) -> String {
 
 #[cfg(all(test, feature = "json"))]
 mod tests {
-    #![allow(clippy::unwrap_used)]
+    #![allow(clippy::unwrap_used, clippy::panic)]
     use super::*;
     use crate::app::start::Machine;
     use serde_json::json;
@@ -289,6 +320,33 @@ mod tests {
         assert_eq!(back.changed, before.len());
         let nothing = ExportedFile { name: "x".to_owned(), text: "G0 X1".to_owned() };
         assert!(read_back(ReadBackRequest { setup: None, files: vec![nothing] }).is_err());
+    }
+
+    // oracle: self (what is written and read back is the machine that wrote it); peer (published tables: MD51600 counts
+    // the workpiece probes, SD54600 their balls, SD55634 the speed in the plane, of the channel)
+    #[test]
+    fn setting_data_are_written_and_read_back() {
+        let data = json!({
+            "PW-GENERATION": 3, "MD51600": 5, "SD54600[0]": 5.9, "SD54600[4]": 3.5, "SD55634": 700, "SD54740": 5
+        });
+        let before = with_values(own(data.clone()), &[]).unwrap();
+        let written = view(data, 1, true);
+        let [file] = &written.files[..] else { panic!("{:?}", written.files) };
+        assert_eq!(
+            file.text,
+            "N51600 $MNS_MEA_CAL_WP_NUM=5\nN54600 $SNS_MEA_WP_BALL_DIAM[0]=5.9\nN54600 $SNS_MEA_WP_BALL_DIAM[4]=3.5\n\
+             N54740 $SNS_MEA_FUNCTION_MASK=5\nCHANDATA(1)\nN55634 $SCS_MEA_FEED_PLANE_VALUE=700\n"
+        );
+        assert_eq!(before.definitions, file.text);
+        assert!(before.assignments.starts_with("$SNS_MEA_WP_BALL_DIAM[0]=5.9\n"), "{}", before.assignments);
+        assert_eq!((written.memory.len(), written.needs.len()), (0, 0));
+        let files = || vec![ExportedFile { name: file.saved.to_owned(), text: file.text.clone() }];
+        let back = read_back(ReadBackRequest { setup: None, files: files() }).unwrap();
+        assert_eq!((back.machine.problems, back.ending.key.as_ref()), (vec![], "definitions-read-newer"));
+        assert_eq!(back.machine.data, before.data);
+        let setup = own(json!({ "PW-GENERATION": 2 }));
+        let back = read_back(ReadBackRequest { setup, files: files() }).unwrap();
+        assert_eq!(back.machine.data["PW-GENERATION"], Value::Number(2.0));
     }
 
     // oracle: manual B:13726 (_SPEED[0] is a percentage)

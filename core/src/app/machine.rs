@@ -10,6 +10,7 @@ use crate::entry::Typed;
 use crate::form::machine::{Entry, Group, Refusal, Setting, accept, groups};
 use crate::message::Message;
 use crate::program::write::machine::{assignments, definitions};
+use crate::program::write::setting_data;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -108,14 +109,25 @@ fn view(dialect: Dialect, setup: Option<Machine>, basic: Option<Units>, typed: &
         _ => setup.control,
     };
     let delivered = delivery_in(dialect, control.basic_units);
-    let problems = typed.iter().map(|typed| write(&mut control, &delivered, typed)).last();
+    let written = typed.iter().map(|typed| {
+        let problems = write(&mut control, &delivered, typed);
+        control.take_setting_data(); // they count what others there are
+        problems
+    });
+    let problems = written.last();
     Ok(MachineView {
         groups: groups(&control).into_iter().map(|one| group(one, &control, &delivered)).collect(),
         basic: control.basic_units,
         data: data(&control, &delivered),
         problems: problems.unwrap_or_default(),
-        assignments: assignments(&control, &delivered),
-        definitions: definitions(&control, &delivered),
+        assignments: match control.has_setting_data() {
+            true => setting_data::assignments(&control, &delivered),
+            false => assignments(&control, &delivered),
+        },
+        definitions: match control.has_setting_data() {
+            true => setting_data::lines(&control, &delivered),
+            false => definitions(&control, &delivered),
+        },
     })
 }
 

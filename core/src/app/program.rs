@@ -5,16 +5,14 @@ use super::finding::{Finding, placed};
 use super::places::{self, Places};
 use super::start::{Machine, start};
 use super::{Error, ProgramText};
-use crate::catalogue::newer;
 use crate::check::variants;
 use crate::control::{Control, Plane, Transverse, UnitFunction, delivery};
 use crate::dialect::Dialect;
 use crate::entry::{Style, Typed};
-use crate::foreign;
 use crate::message::Message;
 use crate::name::Name;
 use crate::program::calls::{CallSite, calls_told};
-use crate::program::lists::list_calls;
+use crate::program::others::{Other, others as without_form};
 use crate::program::touched::cured_elsewhere;
 use crate::program::user_programs::UserPrograms;
 use crate::syntax::position::Positions;
@@ -218,22 +216,12 @@ fn view(program: &Program, whole: &Whole, control: Control, told: &mut dyn FnMut
     }
 }
 
-/// The calls of cycles that have no form: those of newer controls alone, and of a control that is read and not run.
+/// The calls of cycles that have no form.
 fn others(program: &Program, whole: &Whole, positions: &Positions) -> Vec<OtherCall> {
-    let of_lists = list_calls(program).into_iter().filter_map(|call| {
-        let title = newer::title(call.list)?;
-        Some((call.list.name.to_owned(), title, call.span))
-    });
-    let control = foreign::control_of(&program.source).filter(|_| program.dialect == Dialect::Sinumerik);
-    let calls = control.map(|control| (control.calls)(&program.source)).into_iter().flatten();
-    let of_foreign = calls.filter_map(|call| {
-        let title = Message::new(call.cycle?.title());
-        Some((call.name, title, call.span))
-    });
-    let own = of_lists.chain(of_foreign).filter(|(.., span)| whole.of_program(span.start));
-    own.map(|(cycle, title, span)| {
+    let own = without_form(program).filter(|other| whole.of_program(other.span.start));
+    own.map(|Other { name, title, span }| {
         let (line, _) = positions.line_column(span.start);
-        OtherCall { cycle, title, line, from: positions.utf16(span.start) }
+        OtherCall { cycle: name, title, line, from: positions.utf16(span.start) }
     })
     .collect()
 }

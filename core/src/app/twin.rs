@@ -131,6 +131,8 @@ fn shared(measurement: &Measurement, control: &Control) -> Vec<Shared> {
     let axis = measurement.axis.map(|axis| axis as f64 + 1.0);
     let all = [
         ("meaning-nominal", length(measurement.nominal)),
+        ("meaning-side-1", length(measurement.sides.map(|sides| sides[0]))),
+        ("meaning-side-2", length(measurement.sides.map(|sides| sides[1]))),
         ("meaning-axis", axis),
         ("meaning-depth", length(measurement.depth)),
         ("meaning-corner-1", length(measurement.corner.map(|at| at[0]))),

@@ -19,6 +19,8 @@ pub struct Measurement {
     pub corrects_tool: bool,
     /// Set value; with a tolerance the middle of its limits.
     pub nominal: Option<f64>,
+    /// Set lengths of a rectangle along abscissa and ordinate; with a tolerance the middles of their limits.
+    pub sides: Option<[f64; 2]>,
     /// Part of the plane across which is measured: 0 abscissa, 1 ordinate, 2 applicate.
     pub axis: Option<usize>,
     /// Coordinate of the tool axis at which a boss or web is touched.
@@ -86,6 +88,7 @@ pub fn measured(inputs: &Inputs, control: &Control) -> Option<(&'static Shared, 
         None => (None, given(Meaning::Nominal)),
     };
     let limits = given(Meaning::Upper).zip(given(Meaning::Lower));
+    let sides = given(Meaning::FirstSide).zip(given(Meaning::SecondSide));
     let middle = limits.map_or(0.0, |(upper, lower)| (upper + lower) / 2.0);
     let number = |meaning| given(meaning).map(|number| number as i64);
     let axis = number(Meaning::Axis).and_then(|axis| usize::try_from(axis - 1).ok());
@@ -94,6 +97,7 @@ pub fn measured(inputs: &Inputs, control: &Control) -> Option<(&'static Shared, 
         task: shared.task,
         corrects_tool: shared.tool.unwrap_or(tool.is_some()),
         nominal: nominal.map(|nominal| nominal + middle),
+        sides: sides.map(|(first, second)| [first + middle, second + middle]),
         axis: in_axis.or(axis),
         depth: twin_place::depth(inputs, shared, control),
         corner: twin_place::corner(inputs, shared),
@@ -196,6 +200,8 @@ fn value_of(meaning: Meaning, name: Name, wanted: &Measurement, inputs: &Inputs,
             twin_place::of_corner(meaning, name, wanted.corner?, inputs)
         }
         Meaning::Nominal => wanted.nominal,
+        Meaning::FirstSide => wanted.sides.map(|[first, _]| first),
+        Meaning::SecondSide => wanted.sides.map(|[_, second]| second),
         Meaning::Axis => wanted.axis.map(|axis| axis as f64 + 1.0),
         Meaning::NominalInAxis => {
             let part = part_of(meaning, name, inputs)?;

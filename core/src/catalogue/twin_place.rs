@@ -16,10 +16,10 @@ pub fn start(units: Units) -> f64 {
 
 /// Whether a depth belongs to a task: what is touched from outside.
 pub fn has_depth(task: Task) -> bool {
-    matches!(task, Task::Boss | Task::Web)
+    matches!(task, Task::Boss | Task::Web | Task::Island)
 }
 
-/// The coordinate of the tool axis at which a boss or web is touched.
+/// The coordinate of the tool axis at which a boss, a web or a rectangular spigot is touched.
 pub fn depth(inputs: &Inputs, shared: &Shared, control: &Control) -> Option<f64> {
     shared.values.iter().filter(|_| has_depth(shared.task)).find_map(|(name, meaning)| match meaning {
         Meaning::Infeed => Some(start(control.active_units) - inputs.given(*name)?.abs()),

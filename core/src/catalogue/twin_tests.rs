@@ -13,7 +13,7 @@ use crate::message::Arg;
 use proptest::prelude::*;
 use std::collections::BTreeSet;
 
-/// All tasks.
+/// The tasks that both controls have.
 const TASKS: [Task; 10] = [
     Task::Bore,
     Task::Boss,
@@ -85,7 +85,7 @@ fn all() -> impl Iterator<Item = (&'static Cycle, Typed)> {
     examples.filter(|(cycle, values)| {
         let here = control(cycle.dialect, Plane::G17, Units::Metric);
         let inputs = check::read(cycle, values, &here, &mut Vec::new());
-        measured(&inputs, &here).is_some()
+        measured(&inputs, &here).is_some_and(|(_, there)| TASKS.contains(&there.task))
     })
 }
 
@@ -95,7 +95,11 @@ fn both_controls_have_every_task() {
     for dialect in [Dialect::Sinumerik, Dialect::Nct] {
         let cycles = CYCLES.iter().filter(|cycle| cycle.dialect == dialect);
         let tasks: BTreeSet<_> = cycles.flat_map(|cycle| cycle.purpose.tasks).map(|shared| shared.task).collect();
-        assert_eq!(tasks, TASKS.into(), "{dialect:?}");
+        let alone: BTreeSet<_> = tasks.difference(&TASKS.into()).copied().collect();
+        // a macro of NCT measures a width, and none a rectangle
+        let rectangles = [Task::Rectangle, Task::Island].into_iter().filter(|_| dialect == Dialect::Sinumerik);
+        assert_eq!(alone, rectangles.collect(), "{dialect:?}");
+        assert!(tasks.is_superset(&TASKS.into()), "{dialect:?}");
     }
     assert_eq!(other(other(Dialect::Nct)), Dialect::Nct);
 }

@@ -74,6 +74,20 @@ pub const DIRECTION: &str = "S_MD";
 /// Its value for the minus direction.
 pub const MINUS: f64 = 2.0;
 
+/// Why a list is not simulated, where nothing else that is said of it tells: what of it means something else on the
+/// older control.
+pub fn not_simulated(cycle: &'static Cycle, list: &ArgumentList, typed: &Typed, control: &Control) -> Vec<Diagnostic> {
+    let typed = with_omitted(cycle, typed);
+    let judged = judged(cycle, list, &typed, control);
+    let told = |name: &Name| judged.found.iter().any(|one| one.param == Some(*name));
+    let names = judged.foreign.iter().filter(|name| !told(name) && (**name != names::KNUM || !is_coarse(&typed)));
+    let why = names.map(|name| match *name == names::ID {
+        true => own::NEWER_INFEED.finding().at(names::ID),
+        false => own::NEWER_UNSIMULATED.finding().text("param", *name).at(*name),
+    });
+    why.collect()
+}
+
 /// The parameters whose values mean something else on the older control, or whose meaning is not known.
 pub fn foreign(cycle: &'static Cycle, list: &ArgumentList, typed: &Typed, control: &Control) -> Vec<Name> {
     judged(cycle, list, &with_omitted(cycle, typed), control).foreign

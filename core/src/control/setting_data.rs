@@ -9,6 +9,8 @@ use super::{Control, GENERATION};
 pub struct SettingDatum {
     /// Its number.
     pub number: u32,
+    /// Its name without what says whose it is (deathaxe/sublime-s840d a3b0677, `doc/en/{csd,cmd}{nck,chan}.mdat`).
+    name: &'static str,
     /// The user datum with the same content, and which element of it; empty: there is none.
     older: [&'static str; 2],
     /// User datum with the number of probes, where each has a value of its own; empty: a single value; `TOLD`: values
@@ -23,142 +25,142 @@ const TOLD: &str = "-";
 /// Where setting data begin; below are machine data.
 const SETTINGS: u32 = 54_000;
 
-/// A row of the table: number, user datum and element of it, user datum that counts the probes.
+/// A row of the table: number, name, user datum and element of it, user datum that counts the probes.
 macro_rules! data {
-    ($($number:literal $array:literal $index:literal $counted:literal;)*) => {
-        &[$(SettingDatum { number: $number, older: [$array, $index], counted: $counted }),*]
+    ($($number:literal $name:literal $array:literal $index:literal $counted:literal;)*) => {
+        &[$(SettingDatum { number: $number, name: $name, older: [$array, $index], counted: $counted }),*]
     };
 }
 
 /// In the order of the numbers.
 pub const SETTING_DATA: &[SettingDatum] = data! {
-    51600 "_CVAL" "1" "";
-    51601 "_CVAL" "2" "";
-    51602 "_CVAL" "0" "";
-    51603 "_CVAL" "3" "";
-    51618 "" "" "";
-    51740 "" "" "";
-    51742 "" "" "-";
-    51750 "" "" "";
-    51751 "" "" "";
-    51752 "" "" "";
-    51753 "" "" "";
-    51755 "" "" "";
-    51757 "" "" "";
-    51758 "" "" "";
-    51770 "" "" "-";
-    51772 "" "" "-";
-    51780 "" "" "-";
-    51781 "" "" "-";
-    51784 "" "" "-";
-    51786 "" "" "";
-    52740 "" "" "";
-    52750 "" "" "";
-    52751 "" "" "-";
-    52780 "" "" "";
-    54600 "_WP" "k,0" "_CVAL[1]";
-    54601 "_WP" "k,1" "_CVAL[1]";
-    54602 "_WP" "k,2" "_CVAL[1]";
-    54603 "_WP" "k,3" "_CVAL[1]";
-    54604 "_WP" "k,4" "_CVAL[1]";
-    54605 "_WP" "k,5" "_CVAL[1]";
-    54606 "_WP" "k,6" "_CVAL[1]";
-    54607 "_WP" "k,7" "_CVAL[1]";
-    54608 "_WP" "k,8" "_CVAL[1]";
-    54609 "_WP" "k,9" "_CVAL[1]";
-    54610 "_WP" "k,10" "_CVAL[1]";
-    54611 "" "" "_CVAL[1]";
-    54612 "" "" "_CVAL[1]";
-    54615 "_KB" "k,2" "_CVAL[2]";
-    54617 "_KB" "k,3" "_CVAL[2]";
-    54618 "_KB" "k,4" "_CVAL[2]";
-    54619 "_KB" "k,6" "_CVAL[2]";
-    54620 "_KB" "k,5" "_CVAL[2]";
-    54621 "_KB" "k,0" "_CVAL[2]";
-    54622 "_KB" "k,1" "_CVAL[2]";
-    54625 "_TP" "k,0" "_CVAL[0]";
-    54626 "_TP" "k,1" "_CVAL[0]";
-    54627 "_TP" "k,2" "_CVAL[0]";
-    54628 "_TP" "k,3" "_CVAL[0]";
-    54629 "_TP" "k,4" "_CVAL[0]";
-    54630 "_TP" "k,5" "_CVAL[0]";
-    54631 "_TP" "k,6" "_CVAL[0]";
-    54632 "_TP" "k,7" "_CVAL[0]";
-    54633 "_TP" "k,8" "_CVAL[0]";
-    54634 "_TP" "k,9" "_CVAL[0]";
-    54635 "" "" "_CVAL[0]";
-    54636 "" "" "_CVAL[0]";
-    54640 "_TPW" "k,0" "_CVAL[3]";
-    54641 "_TPW" "k,1" "_CVAL[3]";
-    54642 "_TPW" "k,2" "_CVAL[3]";
-    54643 "_TPW" "k,3" "_CVAL[3]";
-    54644 "_TPW" "k,4" "_CVAL[3]";
-    54645 "_TPW" "k,5" "_CVAL[3]";
-    54646 "_TPW" "k,6" "_CVAL[3]";
-    54647 "_TPW" "k,7" "_CVAL[3]";
-    54648 "_TPW" "k,8" "_CVAL[3]";
-    54649 "_TPW" "k,9" "_CVAL[3]";
-    54650 "" "" "_CVAL[3]";
-    54651 "" "" "_CVAL[3]";
-    54652 "" "" "_CVAL[3]";
-    54670 "_CM" "0" "";
-    54671 "_CM" "1" "";
-    54672 "_CM" "4" "";
-    54673 "_CM" "2" "";
-    54674 "_CM" "5" "";
-    54675 "_CM" "6" "";
-    54676 "_CM" "7" "";
-    54677 "_CM" "3" "";
-    54689 "" "" "";
-    54691 "" "" "";
-    54692 "" "" "";
-    54693 "" "" "";
-    54695 "" "" "-";
-    54696 "" "" "-";
-    54697 "" "" "-";
-    54698 "" "" "-";
-    54699 "" "" "-";
-    54700 "" "" "-";
-    54705 "" "" "-";
-    54706 "" "" "-";
-    54707 "" "" "-";
-    54708 "" "" "-";
-    54709 "" "" "-";
-    54710 "" "" "-";
-    54740 "" "" "";
-    54750 "" "" "";
-    54760 "" "" "";
-    54762 "" "" "";
-    54764 "" "" "";
-    54780 "" "" "";
-    54782 "" "" "";
-    55613 "" "" "";
-    55614 "" "" "";
-    55618 "" "" "";
-    55619 "" "" "";
-    55622 "_EVMVNUM" "0" "";
-    55623 "_EV" "k" "_EVMVNUM[0]";
-    55624 "_EVMVNUM" "1" "";
-    55625 "_MV" "k" "_EVMVNUM[1]";
-    55628 "" "" "";
-    55630 "" "" "";
-    55631 "" "" "";
-    55632 "_SPEED" "0" "";
-    55634 "_SPEED" "1" "";
-    55636 "_SPEED" "2" "";
-    55637 "" "" "";
-    55638 "" "" "";
-    55640 "" "" "";
-    55642 "" "" "";
-    55644 "" "" "";
-    55645 "" "" "-";
-    55646 "" "" "-";
-    55647 "" "" "";
-    55648 "" "" "";
-    55649 "" "" "-";
-    55700 "" "" "";
-    55730 "" "" "-";
-    55740 "" "" "";
+    51600 "MEA_CAL_WP_NUM" "_CVAL" "1" "";
+    51601 "MEA_CAL_EDGE_NUM" "_CVAL" "2" "";
+    51602 "MEA_CAL_TP_NUM" "_CVAL" "0" "";
+    51603 "MEA_CAL_TPW_NUM" "_CVAL" "3" "";
+    51618 "MEA_CM_ROT_AX_POS_TOL" "" "" "";
+    51740 "MEA_FUNCTION_MASK" "" "" "";
+    51742 "MEA_ACCESS_EXEC" "" "" "-";
+    51750 "J_MEA_M_DIST" "" "" "";
+    51751 "J_MEA_M_DIST_MANUELL" "" "" "";
+    51752 "J_MEA_M_DIST_TOOL_LENGTH" "" "" "";
+    51753 "J_MEA_M_DIST_TOOL_RADIUS" "" "" "";
+    51755 "J_MEA_MEASURING_FEED" "" "" "";
+    51757 "J_MEA_COLL_MONIT_FEED" "" "" "";
+    51758 "J_MEA_COLL_MONIT_POS_FEED" "" "" "";
+    51770 "J_MEA_CAL_RING_DIAM" "" "" "-";
+    51772 "J_MEA_CAL_HEIGHT_FEEDAX" "" "" "-";
+    51780 "J_MEA_T_PROBE_DIAM_RAD" "" "" "-";
+    51781 "MEA_T_PROBE_THICKNESS" "" "" "-";
+    51784 "J_MEA_T_PROBE_APPR_AX_DIR" "" "" "-";
+    51786 "J_MEA_T_PROBE_MEASURE_DIST" "" "" "";
+    52740 "MEA_FUNCTION_MASK" "" "" "";
+    52750 "J_MEA_FIXPOINT" "" "" "";
+    52751 "J_MEA_MAGN_GLAS_POS" "" "" "-";
+    52780 "J_MEA_T_PROBE_APPR_MODE" "" "" "";
+    54600 "MEA_WP_BALL_DIAM" "_WP" "k,0" "_CVAL[1]";
+    54601 "MEA_WP_TRIG_MINUS_DIR_AX1" "_WP" "k,1" "_CVAL[1]";
+    54602 "MEA_WP_TRIG_PLUS_DIR_AX1" "_WP" "k,2" "_CVAL[1]";
+    54603 "MEA_WP_TRIG_MINUS_DIR_AX2" "_WP" "k,3" "_CVAL[1]";
+    54604 "MEA_WP_TRIG_PLUS_DIR_AX2" "_WP" "k,4" "_CVAL[1]";
+    54605 "MEA_WP_TRIG_MINUS_DIR_AX3" "_WP" "k,5" "_CVAL[1]";
+    54606 "MEA_WP_TRIG_PLUS_DIR_AX3" "_WP" "k,6" "_CVAL[1]";
+    54607 "MEA_WP_POS_DEV_AX1" "_WP" "k,7" "_CVAL[1]";
+    54608 "MEA_WP_POS_DEV_AX2" "_WP" "k,8" "_CVAL[1]";
+    54609 "MEA_WP_STATUS_RT" "_WP" "k,9" "_CVAL[1]";
+    54610 "MEA_WP_STATUS_GEN" "_WP" "k,10" "_CVAL[1]";
+    54611 "MEA_WP_FEED" "" "" "_CVAL[1]";
+    54612 "MEA_INPUT_PIECE_PROBE_SUB" "" "" "_CVAL[1]";
+    54615 "MEA_CAL_EDGE_BASE_AX1" "_KB" "k,2" "_CVAL[2]";
+    54617 "MEA_CAL_EDGE_PLUS_DIR_AX1" "_KB" "k,3" "_CVAL[2]";
+    54618 "MEA_CAL_EDGE_MINUS_DIR_AX1" "_KB" "k,4" "_CVAL[2]";
+    54619 "MEA_CAL_EDGE_BASE_AX2" "_KB" "k,6" "_CVAL[2]";
+    54620 "MEA_CAL_EDGE_UPPER_AX2" "_KB" "k,5" "_CVAL[2]";
+    54621 "MEA_CAL_EDGE_PLUS_DIR_AX2" "_KB" "k,0" "_CVAL[2]";
+    54622 "MEA_CAL_EDGE_MINUS_DIR_AX2" "_KB" "k,1" "_CVAL[2]";
+    54625 "MEA_TP_TRIG_MINUS_DIR_AX1" "_TP" "k,0" "_CVAL[0]";
+    54626 "MEA_TP_TRIG_PLUS_DIR_AX1" "_TP" "k,1" "_CVAL[0]";
+    54627 "MEA_TP_TRIG_MINUS_DIR_AX2" "_TP" "k,2" "_CVAL[0]";
+    54628 "MEA_TP_TRIG_PLUS_DIR_AX2" "_TP" "k,3" "_CVAL[0]";
+    54629 "MEA_TP_TRIG_MINUS_DIR_AX3" "_TP" "k,4" "_CVAL[0]";
+    54630 "MEA_TP_TRIG_PLUS_DIR_AX3" "_TP" "k,5" "_CVAL[0]";
+    54631 "MEA_TP_EDGE_DISK_SIZE" "_TP" "k,6" "_CVAL[0]";
+    54632 "MEA_TP_AX_DIR_AUTO_CAL" "_TP" "k,7" "_CVAL[0]";
+    54633 "MEA_TP_TYPE" "_TP" "k,8" "_CVAL[0]";
+    54634 "MEA_TP_CAL_MEASURE_DEPTH" "_TP" "k,9" "_CVAL[0]";
+    54635 "MEA_TP_STATUS_GEN" "" "" "_CVAL[0]";
+    54636 "MEA_TP_FEED" "" "" "_CVAL[0]";
+    54640 "MEA_TPW_TRIG_MINUS_DIR_AX1" "_TPW" "k,0" "_CVAL[3]";
+    54641 "MEA_TPW_TRIG_PLUS_DIR_AX1" "_TPW" "k,1" "_CVAL[3]";
+    54642 "MEA_TPW_TRIG_MINUS_DIR_AX2" "_TPW" "k,2" "_CVAL[3]";
+    54643 "MEA_TPW_TRIG_PLUS_DIR_AX2" "_TPW" "k,3" "_CVAL[3]";
+    54644 "MEA_TPW_TRIG_MINUS_DIR_AX3" "_TPW" "k,4" "_CVAL[3]";
+    54645 "MEA_TPW_TRIG_PLUS_DIR_AX3" "_TPW" "k,5" "_CVAL[3]";
+    54646 "MEA_TPW_EDGE_DISK_SIZE" "_TPW" "k,6" "_CVAL[3]";
+    54647 "MEA_TPW_AX_DIR_AUTO_CAL" "_TPW" "k,7" "_CVAL[3]";
+    54648 "MEA_TPW_TYPE" "_TPW" "k,8" "_CVAL[3]";
+    54649 "MEA_TPW_CAL_MEASURE_DEPTH" "_TPW" "k,9" "_CVAL[3]";
+    54650 "MEA_TPW_STATUS_GEN" "" "" "_CVAL[3]";
+    54651 "MEA_TPW_FEED" "" "" "_CVAL[3]";
+    54652 "MEA_INPUT_TOOL_PROBE_SUB" "" "" "_CVAL[3]";
+    54670 "MEA_CM_MAX_PERI_SPEED" "_CM" "0" "";
+    54671 "MEA_CM_MAX_REVOLUTIONS" "_CM" "1" "";
+    54672 "MEA_CM_MAX_FEEDRATE" "_CM" "4" "";
+    54673 "MEA_CM_MIN_FEEDRATE" "_CM" "2" "";
+    54674 "MEA_CM_SPIND_ROT_DIR" "_CM" "5" "";
+    54675 "MEA_CM_FEEDFACTOR_1" "_CM" "6" "";
+    54676 "MEA_CM_FEEDFACTOR_2" "_CM" "7" "";
+    54677 "MEA_CM_MEASURING_ACCURACY" "_CM" "3" "";
+    54689 "MEA_T_PROBE_MANUFACTURER" "" "" "";
+    54691 "MEA_T_PROBE_OFFSET" "" "" "";
+    54692 "MEA_T_CIRCULAR_ARC_DIST" "" "" "";
+    54693 "MEA_T_MAX_STEPS" "" "" "";
+    54695 "MEA_RESULT_OFFSET_TAB_RAD1" "" "" "-";
+    54696 "MEA_RESULT_OFFSET_TAB_RAD2" "" "" "-";
+    54697 "MEA_RESULT_OFFSET_TAB_RAD3" "" "" "-";
+    54698 "MEA_RESULT_OFFSET_TAB_RAD4" "" "" "-";
+    54699 "MEA_RESULT_OFFSET_TAB_RAD5" "" "" "-";
+    54700 "MEA_RESULT_OFFSET_TAB_RAD6" "" "" "-";
+    54705 "MEA_RESULT_OFFSET_TAB_LEN1" "" "" "-";
+    54706 "MEA_RESULT_OFFSET_TAB_LEN2" "" "" "-";
+    54707 "MEA_RESULT_OFFSET_TAB_LEN3" "" "" "-";
+    54708 "MEA_RESULT_OFFSET_TAB_LEN4" "" "" "-";
+    54709 "MEA_RESULT_OFFSET_TAB_LEN5" "" "" "-";
+    54710 "MEA_RESULT_OFFSET_TAB_LEN6" "" "" "-";
+    54740 "MEA_FUNCTION_MASK" "" "" "";
+    54750 "MEA_ALARM_MASK" "" "" "";
+    54760 "MEA_FUNCTION_MASK_PIECE" "" "" "";
+    54762 "MEA_FUNCTION_MASK_TOOL" "" "" "";
+    54764 "MEA_FUNCTION_MASK_TURN" "" "" "";
+    54780 "J_MEA_FUNCTION_MASK_PIECE" "" "" "";
+    54782 "J_MEA_FUNCTION_MASK_TOOL" "" "" "";
+    55613 "MEA_RESULT_DISPLAY" "" "" "";
+    55614 "MEA_RESULT_MRD" "" "" "";
+    55618 "MEA_SIM_ENABLE" "" "" "";
+    55619 "MEA_SIM_MEASURE_DIFF" "" "" "";
+    55622 "MEA_EMPIRIC_VALUE_NUM" "_EVMVNUM" "0" "";
+    55623 "MEA_EMPIRIC_VALUE" "_EV" "k" "_EVMVNUM[0]";
+    55624 "MEA_AVERAGE_VALUE_NUM" "_EVMVNUM" "1" "";
+    55625 "MEA_AVERAGE_VALUE" "_MV" "k" "_EVMVNUM[1]";
+    55628 "MEA_TP_FEED_MEASURE" "" "" "";
+    55630 "MEA_FEED_MEASURE" "" "" "";
+    55631 "MEA_FEED_MEASURE_DEG" "" "" "";
+    55632 "MEA_FEED_RAPID_IN_PERCENT" "_SPEED" "0" "";
+    55634 "MEA_FEED_PLANE_VALUE" "_SPEED" "1" "";
+    55636 "MEA_FEED_FEEDAX_VALUE" "_SPEED" "2" "";
+    55637 "MEA_FEED_POS_DEG" "" "" "";
+    55638 "MEA_FEED_FAST_MEASURE" "" "" "";
+    55640 "MEA_FEED_CIRCLE" "" "" "";
+    55642 "MEA_EDGE_SAVE_ANG" "" "" "";
+    55644 "MEA_KIN_DM_TOL" "" "" "";
+    55645 "MEA_KIN_MODE" "" "" "-";
+    55646 "MEA_KIN_VALUE" "" "" "-";
+    55647 "MEA_KIN_MIN_ANG_TRIANGLE" "" "" "";
+    55648 "MEA_KIN_MIN_ANG_POS" "" "" "";
+    55649 "MEA_KIN_BALL_VEC" "" "" "-";
+    55700 "MEA_SIMULTAN_LIMIT" "" "" "";
+    55730 "MEA_PROTOCOL_USER_EXT" "" "" "-";
+    55740 "MEA_FUNCTION_MASK" "" "" "";
 };
 
 impl SettingDatum {
@@ -171,8 +173,25 @@ impl SettingDatum {
 
     /// Its name in words: `SD54600`, `MD51740`.
     pub fn name(&self) -> String {
-        let sort = if self.number < SETTINGS { "MD" } else { "SD" };
+        let sort = if self.is_setting() { "SD" } else { "MD" };
         format!("{sort}{}", self.number)
+    }
+
+    /// Whether every channel has its own: from 52000 machine data, from 55000 setting data.
+    pub fn of_channel(&self) -> bool {
+        matches!(self.number, 52_000..SETTINGS | 55_000..)
+    }
+
+    /// Whether it is a setting datum; else it is a machine datum.
+    pub fn is_setting(&self) -> bool {
+        self.number >= SETTINGS
+    }
+
+    /// Its name in a program and in a file of the control: `$SNS_MEA_WP_BALL_DIAM`.
+    pub fn identifier(&self) -> String {
+        let sort = if self.is_setting() { "S" } else { "M" };
+        let of = if self.of_channel() { "C" } else { "N" };
+        format!("${sort}{of}S_{}", self.name)
     }
 
     /// That user datum in words: `_WP[k,0]`; empty: there is none.
@@ -211,11 +230,27 @@ impl SettingDatum {
     }
 }
 
+/// The datum with this number (`54600`), name in words (`SD54600`) or identifier.
+pub fn find(asked: &str) -> Option<&'static SettingDatum> {
+    let number = asked.parse().ok();
+    let same = |datum: &&SettingDatum| {
+        number == Some(datum.number)
+            || datum.name().eq_ignore_ascii_case(asked)
+            || datum.identifier().eq_ignore_ascii_case(asked)
+    };
+    SETTING_DATA.iter().find(same)
+}
+
 impl Control {
+    /// Whether its data are setting data, not user data.
+    pub fn has_setting_data(&self) -> bool {
+        self.number(GENERATION) > 1.0
+    }
+
     /// On a machine of the second or third generation the values of its setting data go where the first has them, as
     /// all that measures reads them there.
     pub fn take_setting_data(&mut self) {
-        if self.number(GENERATION) <= 1.0 {
+        if !self.has_setting_data() {
             return;
         }
         for datum in SETTING_DATA {
@@ -241,6 +276,27 @@ mod tests {
         assert!(SETTING_DATA.is_sorted_by(|one, other| one.number < other.number));
         for datum in SETTING_DATA {
             assert_eq!(datum.older().is_none(), datum.older_name().is_empty(), "{}", datum.number);
+        }
+    }
+
+    // oracle: peer (the texts of the published tables name these themselves)
+    #[test]
+    fn each_datum_is_found_by_number_and_identifier() {
+        for (name, identifier) in [
+            ("MD51740", "$MNS_MEA_FUNCTION_MASK"),
+            ("MD52740", "$MCS_MEA_FUNCTION_MASK"),
+            ("SD54740", "$SNS_MEA_FUNCTION_MASK"),
+            ("SD55740", "$SCS_MEA_FUNCTION_MASK"),
+            ("SD54612", "$SNS_MEA_INPUT_PIECE_PROBE_SUB"),
+            ("SD55636", "$SCS_MEA_FEED_FEEDAX_VALUE"),
+        ] {
+            let datum = find(name).map(SettingDatum::identifier);
+            assert_eq!(datum.as_deref(), Some(identifier));
+            assert_eq!(find(identifier).map(SettingDatum::name).as_deref(), Some(name));
+        }
+        for datum in SETTING_DATA {
+            let found = find(&datum.identifier()).map(|found| found.number);
+            assert_eq!(found, Some(datum.number), "{}", datum.name);
         }
     }
 

@@ -3,7 +3,7 @@
 use super::{Inputs, When};
 use crate::name::Name;
 
-/// A task that both controls have.
+/// A task that another control has too.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Task {
     /// Bore: diameter and centre.
@@ -14,6 +14,10 @@ pub enum Task {
     Pocket,
     /// Web: width and middle.
     Web,
+    /// Inside rectangle: sides and middle.
+    Rectangle,
+    /// Outside rectangle: sides and middle.
+    Island,
     /// Surface across an axis of the plane.
     Wall,
     /// Surface across the axis of the tool.
@@ -36,6 +40,8 @@ impl Task {
             Task::Boss => "task-boss",
             Task::Pocket => "task-pocket",
             Task::Web => "task-web",
+            Task::Rectangle => "task-rectangle",
+            Task::Island => "task-island",
             Task::Wall => "task-wall",
             Task::Face => "task-face",
             Task::InnerCorner => "task-inner-corner",
@@ -51,7 +57,7 @@ impl Task {
             Task::InnerCorner | Task::OuterCorner => &["twin-corner"],
             Task::Ball => &["twin-ball"],
             Task::Length => &["twin-length"],
-            Task::Bore | Task::Boss | Task::Pocket | Task::Web | Task::Wall | Task::Face => &[],
+            _ => &[],
         }
     }
 }
@@ -61,6 +67,10 @@ impl Task {
 pub enum Meaning {
     /// Set value: diameter, width, or coordinate of a surface.
     Nominal,
+    /// Set length of a rectangle along the abscissa.
+    FirstSide,
+    /// Set length of a rectangle along the ordinate.
+    SecondSide,
     /// Number of the axis of the plane across which is measured: 1, 2, or 3 for that of the tool.
     Axis,
     /// The set value, in an address that says the axis: X, Y or Z. Where a boss or web is measured, that of the axis of

@@ -1,7 +1,7 @@
 //! What is told of a program of such a control.
 
-use super::{Foreign, ForeignCall, ForeignCycle, ForeignValue, Parameter, Value, control_of};
-use crate::diagnostic::{Diagnostic, Edit, Severity, Span};
+use super::{Foreign, ForeignCall, ForeignCycle, ForeignValue, Parameter, Value, control_of, first_line};
+use crate::diagnostic::{Diagnostic, Edit, Severity};
 use crate::message::Message;
 use crate::own;
 
@@ -13,10 +13,8 @@ const MOST: usize = 1000;
 pub fn of_program(source: &[u8]) -> Option<Vec<Diagnostic>> {
     let control = control_of(source)?;
     let calls = (control.calls)(source);
-    let end = source.iter().position(|byte| *byte == b'\n').unwrap_or(source.len());
-    let first = Span { start: 0, end: u32::try_from(end).unwrap_or(u32::MAX) };
     let about = own::FOREIGN_PROGRAM.finding().text("control", control.name).number("count", calls.len() as f64);
-    let mut found = vec![about.on(first)];
+    let mut found = vec![about.on(first_line(source))];
     for call in calls.iter().take(MOST) {
         match call.cycle {
             Some(cycle) => found.extend(of_call(cycle, call)),
@@ -102,8 +100,8 @@ fn outside(parameter: &Parameter, one: &ForeignValue) -> Diagnostic {
 /// Limits of one size that have changed places.
 fn limits(cycle: &'static ForeignCycle, call: &ForeignCall) -> Option<Diagnostic> {
     let pairs = cycle.parameters.windows(2).filter(|pair| {
-        pair.first().is_some_and(|one| one.value == Value::Maximum)
-            && pair.last().is_some_and(|one| one.value == Value::Minimum)
+        pair.first().is_some_and(|one| matches!(one.value, Value::Maximum(_)))
+            && pair.last().is_some_and(|one| matches!(one.value, Value::Minimum(_)))
     });
     pairs.into_iter().find_map(|pair| {
         let [maximum, minimum] = pair else { return None };

@@ -23,6 +23,10 @@ pub struct Foreign {
     pub cycles: &'static [ForeignCycle],
     /// Where its results are, whatever the cycle; key of a message.
     pub results: &'static str,
+    /// What of it is not published; key of a message.
+    pub unpublished: &'static str,
+    /// A cycle by a name that a program calls it.
+    pub named: fn(&str) -> Option<&'static ForeignCycle>,
     /// Whether a text is a program of it.
     pub is_program: fn(&[u8]) -> bool,
     /// The probe cycles in such a text, in their order.
@@ -89,12 +93,12 @@ pub enum Value {
     Centre(usize),
     /// Touching point along an axis of the plane.
     Point(usize),
-    /// Set value.
-    Nominal,
-    /// Largest permissible size; 0: no limit.
-    Maximum,
-    /// Smallest permissible size; 0: no limit.
-    Minimum,
+    /// Set value: the size, of a rectangle the length along the first (0) or second (1) axis of the plane.
+    Nominal(usize),
+    /// Largest permissible value of that; 0: no limit.
+    Maximum(usize),
+    /// Smallest permissible value of that; 0: no limit.
+    Minimum(usize),
     /// Axis along which is measured: 1, 2, or 3 for that of the probe.
     Axis,
     /// Direction of measuring: 1 or -1.
@@ -170,6 +174,12 @@ pub fn control_of(source: &[u8]) -> Option<&'static Foreign> {
     CONTROLS.into_iter().find(|control| (control.is_program)(source))
 }
 
+/// Place of the first line of a program.
+pub fn first_line(source: &[u8]) -> Span {
+    let end = source.iter().position(|byte| *byte == b'\n').unwrap_or(source.len());
+    Span { start: 0, end: u32::try_from(end).unwrap_or(u32::MAX) }
+}
+
 /// The logs of such a control in a text.
 pub fn logs(text: &str) -> Option<(&'static Foreign, Vec<Log>)> {
     CONTROLS.into_iter().map(|control| (control, (control.logs)(text))).find(|(_, logs)| !logs.is_empty())
@@ -184,10 +194,9 @@ pub fn parameter_at(line: &[u8], at: u32) -> Option<(&'static Foreign, &'static 
     })
 }
 
-/// A cycle by its name.
+/// A cycle by a name that a program calls it.
 pub fn find(name: &str) -> Option<(&'static Foreign, &'static ForeignCycle)> {
-    let same = |cycle: &&ForeignCycle| cycle.name.eq_ignore_ascii_case(name.trim());
-    CONTROLS.into_iter().find_map(|control| Some((control, control.cycles.iter().find(same)?)))
+    CONTROLS.into_iter().find_map(|control| Some((control, (control.named)(name.trim())?)))
 }
 
 #[cfg(test)]

@@ -28,6 +28,8 @@ pub struct OfTask {
 const CARRIED: &[Meaning] = &[
     Meaning::Nominal,
     Meaning::NominalInAxis,
+    Meaning::FirstSide,
+    Meaning::SecondSide,
     Meaning::Axis,
     Meaning::Infeed,
     Meaning::Upper,
@@ -41,7 +43,8 @@ const CARRIED: &[Meaning] = &[
 pub fn of_task(control: &Foreign, measurement: &Measurement, units: Units) -> Option<OfTask> {
     let aim = if measurement.zero.is_some() { Aim::Datum } else { Aim::Measure };
     let cycle = control.cycles.iter().find(|cycle| cycle.tasks.contains(&(measurement.task, aim)))?;
-    let nominal = measurement.nominal?;
+    let sizes = measurement.sides.or(measurement.nominal.map(|nominal| [nominal; 2]))?;
+    let [nominal, _] = sizes;
     let clearance = start(units);
     let above = measurement.task == Task::Face;
     // a hole is measured where the probe stands: half of the start's height below the zero point
@@ -58,9 +61,9 @@ pub fn of_task(control: &Foreign, measurement: &Measurement, units: Units) -> Op
             Value::Centre(_) => assume(0.0),
             Value::Point(at) if at == axis => nominal,
             Value::Point(_) => assume(0.0),
-            Value::Nominal => nominal,
-            Value::Maximum => half.map_or(0.0, |half| nominal + half),
-            Value::Minimum => half.map_or(0.0, |half| nominal - half),
+            Value::Nominal(side) => sizes[side.min(1)],
+            Value::Maximum(side) => half.map_or(0.0, |half| sizes[side.min(1)] + half),
+            Value::Minimum(side) => half.map_or(0.0, |half| sizes[side.min(1)] - half),
             Value::Axis => axis as f64 + 1.0,
             Value::Direction => assume(if above || nominal < 0.0 { -1.0 } else { 1.0 }),
             Value::Height if above || has_depth(measurement.task) && measurement.depth.is_some() => height,

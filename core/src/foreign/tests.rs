@@ -106,8 +106,8 @@ fn what_is_written_reads_back() {
 /// A value inside the range, a limit above its partner.
 fn wanted(parameter: &Parameter, at: i32) -> f64 {
     match parameter.value {
-        Value::Maximum => 50.5,
-        Value::Minimum => 49.25,
+        Value::Maximum(_) => 50.5,
+        Value::Minimum(_) => 49.25,
         _ if parameter.range.max <= 3.0 => 1.0,
         _ => f64::from(at) + 0.125,
     }
@@ -161,6 +161,31 @@ fn faults_of_a_call_are_told() {
     assert_eq!(keys(&found).len(), 2);
 }
 
+// oracle: manual (TNC 410 ISO programming, p. 283: a cycle of DIN/ISO up to its `*`; TNC 320 9/2016, p. 396: G423)
+#[test]
+fn a_call_in_din_iso_is_the_same_call() {
+    let values: String =
+        PROGRAM.lines().filter_map(|line| Some(format!(" {}", line.trim().split_once(" ;")?.0))).collect();
+    let one_line =
+        format!("%CHECK G71 *\nN10 T30 G17 *\nN20 G421{values} *\nN30 G00 Z+100 *\nN99999999 %CHECK G71 *\n");
+    let lines = one_line.replace(" Q260", "\nQ260").replace(" *\nN30", "*\nN30");
+    let [wanted] = &(tnc::CONTROL.calls)(PROGRAM.as_bytes())[..] else { panic!() };
+    for text in [&one_line, &lines, &lines.replace('\n', "\r\n"), &one_line.replace("N20 G421", "g421")] {
+        assert!(control_of(text.as_bytes()).is_some(), "{text}");
+        let calls = (tnc::CONTROL.calls)(text.as_bytes());
+        let [call] = &calls[..] else { panic!("{text}") };
+        assert_eq!((call.name.as_str(), call.cycle.unwrap().name), ("G421", "TCH PROBE 421"));
+        let plain =
+            |call: &ForeignCall| call.values.iter().map(|one| (one.name.clone(), one.number())).collect::<Vec<_>>();
+        assert_eq!(plain(call), plain(wanted), "{text}");
+        for one in &call.values {
+            assert_eq!(text[one.span.start as usize..one.span.end as usize], format!("{}={}", one.name, one.text));
+        }
+        assert_eq!(keys(&of_program(text.as_bytes()).unwrap()), ["foreign-program", "tnc-421-title"]);
+    }
+    assert_eq!(find("g421").unwrap().1.name, "TCH PROBE 421");
+}
+
 // oracle: manual (TNC7, 81762x-19, log of cycle 421)
 #[test]
 fn a_log_is_read() {
@@ -206,7 +231,10 @@ fn the_tables_are_whole() {
 // oracle: self: nothing of the controls that are run is taken for another's
 #[test]
 fn programs_of_the_known_controls_stay_theirs() {
-    for text in ["N10 _MVAR=1\nCYCLE977\nM30\n", "%O1234\nG110 D50\nM30\n", "", "; TCH PROBE 421\nG0 X0\n"] {
+    for text in [
+        "N10 _MVAR=1\nCYCLE977\nM30\n", "%O1234\nG110 D50\nM30\n", "", "; TCH PROBE 421\nG0 X0\n", "N10 G421\n",
+        "G421 Q1\n", "G42 Q1=5\n", "G4212 Q1=2\n",
+    ] {
         assert!(control_of(text.as_bytes()).is_none(), "{text}");
     }
 }

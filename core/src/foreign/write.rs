@@ -60,7 +60,7 @@ pub fn written(
 fn usual(parameter: &Parameter) -> Option<f64> {
     match parameter.value {
         Value::Usual(value) => Some(value),
-        Value::Maximum | Value::Minimum | Value::Tool => Some(0.0),
+        Value::Maximum(_) | Value::Minimum(_) | Value::Tool => Some(0.0),
         _ => None,
     }
 }

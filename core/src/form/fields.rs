@@ -183,20 +183,27 @@ pub(crate) fn name_arguments(list: &'static ArgumentList, fields: &mut [Field]) 
     }
 }
 
+/// What an argument without counterpart takes.
+pub fn argument_entry(name: &str) -> Entry {
+    match name {
+        "S_MD" => Entry::Choice { choices: codes::choices(DIRECTIONS) },
+        _ => Entry::Real { range: Range::ANY },
+    }
+}
+
 fn argument_field(argument: &Argument, typed: &Typed, control: &Control) -> Field {
     let meaning = argument.meaning();
-    let (entry, unit) = match argument.name {
-        "S_MD" => (Entry::Choice { choices: codes::choices(DIRECTIONS) }, Unit::None),
-        "S_STA1" => (Entry::Real { range: Range::ANY }, Unit::Degree),
-        "S_XM" | "S_YM" => (Entry::Real { range: Range::ANY }, Unit::ActiveLength),
-        _ => (Entry::Real { range: Range::ANY }, Unit::None),
+    let unit = match argument.name {
+        "S_STA1" => Unit::Degree,
+        "S_XM" | "S_YM" => Unit::ActiveLength,
+        _ => Unit::None,
     };
     Field {
         name: Name::new(argument.name),
         help: Message::new(format!("{meaning}-help")),
         label: Message::new(meaning),
         topic: Topic::List,
-        entry,
+        entry: argument_entry(argument.name),
         value: typed.get(argument.name).cloned().unwrap_or_default(),
         expression: None,
         written: None,

@@ -80,7 +80,7 @@ pub fn groups(control: &Control) -> Vec<Group> {
     }
     let subjects = gud::SUBJECTS.iter().map(|subject| group(subject.key, of_subject(subject, control)));
     let machine = group("machine-data", MACHINE_DATA.iter().flat_map(of_machine_datum).collect());
-    let newer = SETTING_DATA.iter().filter(|_| control.number(GENERATION) > 1.0);
+    let newer = SETTING_DATA.iter().filter(|_| control.has_setting_data());
     let newer = group("setting-data", newer.flat_map(|datum| of_setting_datum(datum, control)).collect());
     subjects.chain([machine, newer]).filter(|group| !group.settings.is_empty()).collect()
 }

@@ -11,6 +11,6 @@ mod variant;
 
 pub use chain::{Bar, Chain, Limit, chain};
 pub use draw::draw;
-pub use fields::{Choice, Entry, Field, Group, fields};
+pub use fields::{Choice, Entry, Field, Group, argument_entry, fields};
 #[cfg(feature = "json")]
 pub(crate) use fields::{fields_by, name_arguments, of_list};

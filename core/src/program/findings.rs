@@ -29,8 +29,7 @@ pub fn findings_on(program: &Program, control: Control) -> Vec<Diagnostic> {
 
 /// What [`findings_on`] tells, where the calls of the program on this control are known already.
 pub fn findings_of(program: &Program, sites: &[CallSite], control: &Control) -> Vec<Diagnostic> {
-    let foreign = || foreign::findings::of_program(&program.source);
-    if let Some(found) = (program.dialect == Dialect::Sinumerik).then(foreign).flatten() {
+    if let Some(found) = foreign::findings::of_program(&program.source) {
         return found;
     }
     let syntax = program.errors.iter().map(|error| not_understood(program, error));

@@ -16,6 +16,7 @@ pub mod flow;
 mod held;
 pub mod lists;
 pub mod of_control;
+pub mod others;
 mod own_words;
 pub mod places;
 pub mod probe_test;

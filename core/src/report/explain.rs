@@ -4,7 +4,7 @@
 use crate::catalogue::newer::LISTS;
 use crate::catalogue::newer::arguments::Argument;
 use crate::catalogue::{CYCLES, r_parameters, subroutines};
-use crate::control::setting_data::SETTING_DATA;
+use crate::control::setting_data;
 use crate::control::versions::{Versions, versions};
 use crate::entry::{Cycle, Variant};
 use crate::manual::Cited;
@@ -122,11 +122,10 @@ pub fn arguments(asked: &str, words: &Words) -> String {
     told.into_iter().map(|(meaning, places)| format!("{meaning}\n  {}\n", places.join(", "))).collect()
 }
 
-/// A setting datum of newer controls by its number, `SD54600`. Empty: none has it.
+/// A setting datum of newer controls by its number, `SD54600`, or identifier. Empty: none has it.
 pub fn setting_datum(asked: &str, words: &Words) -> String {
-    let datum = SETTING_DATA.iter().find(|datum| datum.name().eq_ignore_ascii_case(asked));
-    let Some(datum) = datum else { return String::new() };
-    let mut text = format!("{}: {}\n", datum.name(), words.key(datum.key()));
+    let Some(datum) = setting_data::find(asked) else { return String::new() };
+    let mut text = format!("{} {}: {}\n", datum.name(), datum.identifier(), words.key(datum.key()));
     if let Some(line) = words.find(&Message::new(format!("{}.help", datum.key()))) {
         let _ = writeln!(text, "  {line}");
     }

@@ -43,5 +43,6 @@ pub fn section(text: &mut String, words: &Words) {
             [name, words.key(cycle.title()), names.join(" "), words.key(written), cycle.source.to_owned()]
         });
         rows(text, ["name", "meaning", "read", "written", "source"], cycles, words);
+        line(text, &words.key(control.unpublished));
     }
 }

@@ -38,9 +38,9 @@ pub fn page(words: &Words) -> String {
         let label = words.key(datum.key());
         let help = words.find(&Message::new(format!("{}.help", datum.key())));
         let meaning = help.map_or_else(|| label.clone(), |help| format!("{label}. {help}"));
-        [datum.name(), meaning, datum.older_name()]
+        [datum.name(), format!("`{}`", datum.identifier()), meaning, datum.older_name()]
     });
-    table(&mut text, &words.key("machine-group-setting-data"), ["number", "meaning", "datum"], settings, words);
+    table(&mut text, &words.key("machine-group-setting-data"), ["number", "name", "meaning", "datum"], settings, words);
     let told = NEWER.iter().map(|number| {
         let known = alarms::find(&number.to_string()).is_some();
         let known = words.key(if known { "report-generations-cure" } else { "report-generations-new" });

@@ -64,24 +64,24 @@ pub fn run_on(program: &Program, setup: Setup, limits: Limits) -> Assumed {
 
 fn carried_out(mut session: Session, mut setup: Setup, told: &mut dyn FnMut(&Session)) -> Assumed {
     session.run.assumed = Some(Made::default());
+    let mut messages = Vec::from_iter((!session.is_over()).then(|| machine(&setup)));
     session.go_on(told);
     let made = session.run.assumed.take().unwrap_or_default();
     let mut outcome = session.outcome();
-    let mut told = vec![machine(&setup)];
     for ((tool, edge), data) in made.tools {
         let name = outcome.control.tools.get(&tool).map_or(String::new(), |tool| tool.name.clone());
-        told.push(told_tool((tool, edge), &name, &data));
+        messages.push(told_tool((tool, edge), &name, &data));
         for control in [&mut setup.control, &mut outcome.before] {
             let tool = control.tools.entry(tool).or_default();
             tool.name.clone_from(&name);
             tool.edges.insert(edge, data.clone());
         }
     }
-    told.extend(made.told);
+    messages.extend(made.told);
     setup.workpiece.solids = made.parts;
     setup.workpiece.solids.truncate(SHOWN);
     setup.tool_probes = made.tool_probes;
-    Assumed { setup, outcome, told }
+    Assumed { setup, outcome, told: messages }
 }
 
 /// The machine that the calls need, before the first block of the program with this name, else of the first one.

@@ -9,6 +9,7 @@ use super::{
 use crate::catalogue::Functions;
 use crate::control::Value;
 use crate::diagnostic::{Diagnostic, Severity, Span};
+use crate::foreign::{self, Foreign};
 use crate::geometry::{Mcs, Wcs};
 use crate::machine::{Entries, Files, Setup, Sim, Step, Stop};
 use crate::message::Message;
@@ -138,14 +139,33 @@ pub struct Session {
 }
 
 impl Session {
-    /// A run before its first block.
+    /// A run before its first block; of a program of a control that is not run here it is over.
     pub fn new(program: impl Into<Rc<Program>>, setup: &Setup, limits: Limits) -> Session {
-        Session { run: Interpreter::new(program.into(), setup, limits), before: setup.clone(), share: 0.0, ended: None }
+        let run = Interpreter::new(program.into(), setup, limits);
+        let mut session = Session { run, before: setup.clone(), share: 0.0, ended: None };
+        if let Some(control) = foreign::control_of(&session.run.program.source) {
+            session.refuse_foreign(control);
+        }
+        session
+    }
+
+    fn refuse_foreign(&mut self, control: &Foreign) {
+        let source = &self.run.program.source;
+        let count = (control.calls)(source).len();
+        let problem = Problem::at("run-foreign", foreign::first_line(source));
+        self.run.sim.line = Some(0);
+        self.refuse(problem.text("control", control.name).number("count", count as f64));
+    }
+
+    /// Whether it is over.
+    pub fn is_over(&self) -> bool {
+        self.ended.is_some()
     }
 
     /// With the program of this name as main program, where the text holds several.
     pub fn of_program(mut self, name: &str) -> Session {
         match self.run.programs.place(&name.to_uppercase()) {
+            _ if self.is_over() => {}
             Some(place) => begin_main(&mut self.run, place),
             None => {
                 let there: Vec<&str> = self.run.programs.names.keys().map(String::as_str).take(NAMED).collect();

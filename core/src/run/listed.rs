@@ -98,7 +98,10 @@ fn newer_list(
     let typed: Typed =
         values.filter_map(|(name, value)| Some((name.to_string(), Datum::from(&value?).exact()))).collect();
     run.fit(cycle, &typed);
-    let checked = newer::check_simulated(cycle, list, &typed, &run.sim.control);
+    let mut checked = newer::check_simulated(cycle, list, &typed, &run.sim.control);
+    if checked.inputs.is_none() {
+        checked.diagnostics.extend(newer::not_simulated(cycle, list, &typed, &run.sim.control));
+    }
     if let Some(inputs) = &checked.inputs {
         let said = arguments::only_newer(&run.program, list, call.span).into_iter();
         let told: Vec<_> =

@@ -130,6 +130,55 @@ fn completion_offers_parameters_variants_and_cycles() {
     assert!(labels(&client.at("textDocument/completion", URI, text, "; _T", 4)).is_empty(), "a comment");
 }
 
+// oracle: peer (the published lists: S_MD is argument 9 of CYCLE978, 1 plus, 2 minus; CYCLE996 is one of them)
+#[test]
+fn completion_knows_the_lists_of_newer_controls() {
+    let text = "G54 T9 D1 M6\nCYCLE978(0,,,1,-55,15,7,1,,1)\nCY\nM30\n";
+    let mut client = Client::english();
+    client.open(URI, text);
+    assert_eq!(labels(&client.at("textDocument/completion", URI, text, "1,,1)", 2)), ["1", "2"]);
+    assert_eq!(labels(&client.at("textDocument/completion", URI, text, "(0,", 2)), ["0", "100"]);
+    let all = client.at("textDocument/completion", URI, text, "CY\n", 2);
+    let of_996 = all["items"].as_array().unwrap().iter().filter(|item| item["label"] == "CYCLE996");
+    assert_eq!(of_996.count(), 1, "{all}");
+    let params = json!({ "textDocument": { "uri": URI } });
+    let outline = client.ask("textDocument/documentSymbol", params);
+    assert_eq!(outline[0]["name"], "CYCLE978");
+    let other = "G0 X0\nCYCLE996(3,1,1,25)\nM30\n";
+    client.tell(
+        "textDocument/didChange",
+        json!({ "textDocument": { "uri": URI, "version": 2 },
+        "contentChanges": [{ "text": other }] }),
+    );
+    let outline = client.ask("textDocument/documentSymbol", json!({ "textDocument": { "uri": URI } }));
+    assert_eq!(outline[0]["name"], "CYCLE996");
+}
+
+// oracle: manual (TNC 320 9/2016, p. 396: cycle 423 and its parameters), hand
+#[test]
+fn a_program_that_is_not_run_is_told_completed_and_outlined() {
+    const TNC: &str = "0 BEGIN PGM A MM\n1 TCH PROBE 423 MEAS. RECTAN. INSIDE ~\n  Q273=+0 ;CENTER IN 1ST AXIS ~\n  Q\n\
+        2 TC\n3 END PGM A MM\n";
+    let mut client = Client::english();
+    let found = client.open("file:///a.h", TNC);
+    let codes: Vec<&str> = found.iter().filter_map(|one| one["code"].as_str()).collect();
+    assert!(codes.iter().all(|code| ["PW199", "PW201"].contains(code)) && codes.len() == 3, "{codes:?}");
+    let mut ask = |method: &str, word: &str, into: usize| client.at(method, "file:///a.h", TNC, word, into);
+    let missing = ask("textDocument/completion", "  Q\n", 3);
+    let all = labels(&missing);
+    assert!(all.contains(&"Q274") && !all.contains(&"Q273") && !all.contains(&"CYCLE977"), "{all:?}");
+    let item = &missing["items"][0];
+    assert_eq!((item["textEdit"]["newText"].as_str(), within(TNC, &item["textEdit"]["range"])), (Some("Q274="), "Q"));
+    let cycles = ask("textDocument/completion", "2 TC", 4);
+    assert!(labels(&cycles).contains(&"TCH PROBE 412"), "{cycles}");
+    assert_eq!(within(TNC, &cycles["items"][0]["textEdit"]["range"]), "TC");
+    let told = ask("textDocument/hover", "Q273=", 2);
+    assert!(told["contents"]["value"].as_str().unwrap().contains("Centre, 1st axis"), "{told}");
+    let outline = client.ask("textDocument/documentSymbol", json!({ "textDocument": { "uri": "file:///a.h" } }));
+    let names: Vec<_> = outline.as_array().unwrap().iter().map(|one| one["name"].as_str()).collect();
+    assert_eq!(names, [Some("TCH PROBE 423")], "{outline}");
+}
+
 // oracle: manual C:1159 (NCT programs), hand
 #[test]
 fn nct_programs_have_their_macros_and_addresses() {

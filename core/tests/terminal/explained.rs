@@ -51,6 +51,8 @@ fn explain_knows_cycles_variants_data_and_alarms() {
         ("cycle996", "   4  S_SETV: Diameter of the calibration ball\n"),
         ("61444", "calibrate with it"),
         ("SD54600", "On older controls: _WP[k,0]\n"),
+        ("$SNS_MEA_WP_BALL_DIAM", "SD54600 $SNS_MEA_WP_BALL_DIAM: "),
+        ("G430", "TCH PROBE 430 (HEIDENHAIN TNC): "),
     ] {
         let told = explained(&[name]);
         assert!(told.contains(said), "{told}");

@@ -91,6 +91,32 @@ fn run_measures_the_hole_and_corrects_the_radius() {
     }
 }
 
+// oracle: hand: one refusal that says what it is; in conversational text and in DIN/ISO, whatever machine is named
+#[test]
+fn a_program_of_another_maker_is_not_run() {
+    let conversational =
+        b"0 BEGIN PGM A MM\n1 TOOL CALL 30 Z\n2 TCH PROBE 427 MEASURE COORDINATE ~\n  Q263=+1\n3 M30\n";
+    let iso = b"%A G71 *\nN10 T30 G17 *\nN20 G427 Q263=+1 *\nN30 M30 *\n";
+    for (name, text) in [("A.H", &conversational[..]), ("A.I", &iso[..])] {
+        let path = file(name, text);
+        let setup = example_setup();
+        for more in [&[][..], &["--setup", &setup], &["--control", "nct"], &["--program", "A"], &["--arg", "X=1"]] {
+            let output = probewright(&[&["run", &path], more].concat());
+            assert_eq!(output.status.code(), Some(1), "{}", err(&output));
+            let told = out(&output);
+            let first = format!("{path}:1:1: error[PW387]: Program of HEIDENHAIN TNC, probe cycles: 1.");
+            assert!(told.starts_with(&first), "{more:?} {told}");
+            assert_eq!(told.lines().count(), 2, "{more:?} {told}");
+            assert!(told.ends_with("The program stopped in line 1.\n"), "{told}");
+        }
+        let checked = out(&probewright(&["check", &path]));
+        assert!(checked.contains("PW199") && checked.contains("PW201") && !checked.contains("PW100"), "{checked}");
+    }
+    let output = probewright(&["write", "G427", "Q263=1"]);
+    assert!(err(&output).contains("Write TCH PROBE 427 instead."), "{}", err(&output));
+    assert_eq!(output.status.code(), Some(2));
+}
+
 // oracle: hand. The run goes to its end, but a word of it was not carried out.
 #[test]
 fn a_run_with_an_unknown_word_fails() {

@@ -1,13 +1,14 @@
 //! The generation of the control: what counts where the machine says it, how a list is written and carried out there.
 
+use super::newer::{as_list, lists, valid};
 use super::{first_example, written};
 use probewright_core::control::{Control, GENERATION, Plane, delivery};
 use probewright_core::dialect::Dialect;
-use probewright_core::entry::Style;
+use probewright_core::entry::{Inputs, Style};
 use probewright_core::geometry::Mcs;
 use probewright_core::machine::{Setup, Stop};
 use probewright_core::program::findings_on;
-use probewright_core::run::{Limits, Outcome, run};
+use probewright_core::run::{Limits, Outcome, assumed, run};
 use probewright_core::syntax::read;
 use probewright_core::workpiece::{Shape, Solid};
 
@@ -99,9 +100,43 @@ fn a_run_stops_at_a_call_that_is_not_understood() {
         let Some(Stop::Fault(message)) = outcome.stop else { panic!("{call}") };
         assert_eq!(&*message.key, "run-no-simulation", "{call}");
     }
+    // calls of machine users, one into a target of which nothing is published, one with an infeed of unknown sense
+    for (call, why) in [
+        ("CYCLE977(101,9000,,1,32,,,10,5,0,1,1,,,1,\"\",,0,0.2,0.1,-0.1,0.34,1,0,,1,1)", "newer-unsimulated"),
+        ("CYCLE977(1101,10001,,1,32,,,7,5,11,16,5,,,1,\"\",,0,1.01,1.01,-1.01,0.34,1,0,,1,11,-3,15)", "newer-infeed"),
+    ] {
+        let outcome = go(&format!("G17 G54 T9 D1 M6\n{call}\nM30\n"));
+        let keys: Vec<&str> = outcome.diagnostics.iter().map(|one| &*one.message.key).collect();
+        assert!(keys.contains(&why) && keys.contains(&"run-no-simulation"), "{keys:?}");
+    }
     let outcome = go("G17 G54 T9 D1 M6\nCYCLE150(1,,1001)\nG0 X1\nM30\n");
     assert_eq!(outcome.stop, None);
     assert_eq!(outcome.diagnostics.len(), 1);
+}
+
+// oracle: self (`docs/generations.md` says of each variant whether it is written and simulated: by this condition)
+#[test]
+fn what_the_page_says_of_each_variant_is_what_is_done() {
+    let plain = vec![(false, 1); 40];
+    for (cycle, list) in lists() {
+        for variant in cycle.variants {
+            let mut values = valid(cycle, variant.number, &plain);
+            if cycle.name == "CYCLE998" {
+                values.insert("_ID".into(), "40".into());
+            }
+            let known = list.when.holds(&Inputs::new(cycle, variant.number));
+            let there = written(cycle.name, &values, Style::Operate);
+            assert_eq!(there.text.is_empty(), !known, "{} {}", cycle.name, variant.number);
+            assert!(known || !there.findings.is_empty(), "why not is told");
+            let call = if known { there.text } else { as_list(list, &values) };
+            let program = read(Dialect::Sinumerik, format!("G17 G54\n{call}M30\n").as_bytes());
+            let outcome = assumed::run(&program, Limits::default()).outcome;
+            match &outcome.stop {
+                Some(Stop::Fault(why)) => assert!(!known && why.key == "run-no-simulation", "{call} {why:?}"),
+                other => assert!(known && other.is_none(), "{call} {other:?}"),
+            }
+        }
+    }
 }
 
 // oracle: hand (form, call and fields of a machine that takes lists)

@@ -20,7 +20,7 @@ use proptest::test_runner::TestCaseResult;
 use std::collections::BTreeMap;
 
 /// The cycles that have such a list, with it.
-fn lists() -> impl Iterator<Item = (&'static Cycle, &'static ArgumentList)> {
+pub fn lists() -> impl Iterator<Item = (&'static Cycle, &'static ArgumentList)> {
     CYCLES.iter().filter_map(|cycle| {
         let mut lists = cycle.lists.iter();
         Some((*cycle, lists.find(|list| list.style == Style::Operate)?))
@@ -191,14 +191,14 @@ fn an_omitted_argument_is_named_as_0() {
 }
 
 /// Random numbers for arguments: whether one is given, its value.
-type Numbers = Vec<(bool, u32)>;
+pub type Numbers = Vec<(bool, u32)>;
 
 fn numbers() -> impl Strategy<Value = Numbers> {
     proptest::collection::vec((any::<bool>(), 1..999_u32), 40)
 }
 
 /// The worked values of a variant, some of them others that are valid as well, and a target.
-fn valid(cycle: &'static Cycle, variant: i64, numbers: &Numbers) -> Typed {
+pub fn valid(cycle: &'static Cycle, variant: i64, numbers: &Numbers) -> Typed {
     let worked = cycle.variants.iter().find(|one| one.number == variant).unwrap();
     let mut values = example(cycle, worked);
     for ((name, text), (other, number)) in values.iter_mut().zip(numbers) {
@@ -248,7 +248,7 @@ fn no_error_of_the_older_control(text: &str) -> TestCaseResult {
 }
 
 /// A list whose arguments are these values, whatever their variant means there.
-fn as_list(list: &ArgumentList, values: &Typed) -> String {
+pub fn as_list(list: &ArgumentList, values: &Typed) -> String {
     let argument = |arg: &Arg| match arg {
         Arg::Newer(_, Some(name)) => values.get(name.as_str()).cloned().unwrap_or_default(),
         _ => String::new(),

@@ -36,6 +36,8 @@ pub struct Seam {
     pub run: Question,
     /// `NoteRequest` → `Scenario`.
     pub note: Question,
+    /// `PointedRequest` → `PointedView`, or null.
+    pub pointed: Question,
     /// Text of a scenario file → `ScenarioView`.
     pub scenario: Question,
     /// Text of a setup file → `Setup`.
@@ -90,6 +92,14 @@ pub fn beside(seam: &Seam, told: &mut Answers) {
     for control in ["sinumerik", "nct"] {
         let add = json!({ "control": control, "change": { "add": { "table": "tools", "row": "" } } });
         told.insert(format!("equip {control}"), read_value((seam.equip)(&add.to_string())));
+        // an argument of a list, a parameter of a control that is read and not run, and what nothing is told of
+        let lines = ["N10 MSG(\"ü𝄞\") CYCLE977(101,,,1,50)", "  Q262=+12 ;NOMINAL DIAMETER ~", "G1 X5"];
+        let pointed = lines.map(|line| {
+            let at = line.encode_utf16().count() as u32;
+            let places = (0..=at).map(|at| json!({ "control": control, "line": line, "at": at }).to_string());
+            json!(places.map(|asked| read_value((seam.pointed)(&asked))).collect::<Vec<_>>())
+        });
+        told.insert(format!("pointed {control}"), json!(pointed));
         let run = json!({ "control": control, "text": "G0 X10\nG1 X20 F100\nM30\n" });
         let noted = (seam.note)(&json!({ "run": run, "name": "part.mpf", "case": "first" }).to_string());
         let carried_out = noted.clone().and_then(|text| (seam.scenario)(&text));
@@ -191,6 +201,7 @@ fn wrong(seam: &Seam, told: &mut Answers) {
         ("cure", seam.cure),
         ("run", seam.run),
         ("note", seam.note),
+        ("pointed", seam.pointed),
         ("scenario", seam.scenario),
         ("setup", seam.setup),
     ];

@@ -47,6 +47,7 @@ const BROWSER: Seam = Seam {
         Ok(run.view())
     },
     note: answered!(web::note),
+    pointed: answered!(web::pointed),
     scenario: |text| web::scenario(text, "[]").map_err(sentence),
     setup: answered!(web::setup),
     recognise: |bytes| {

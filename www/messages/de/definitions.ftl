@@ -1,6 +1,6 @@
 # Definitionsdateien und Wertebelegungsprogramm.
 
-definitions-intro = Was diese Maschine in den Definitionsdateien der Messzyklen ändert: Feldgrößen und Werte, die vom Lieferzustand abweichen, das Programm, das die übrigen Werte belegt, und der nötige Speicher.
+definitions-intro = Was diese Maschine in den Definitionsdateien der Messzyklen ändert, bei neueren Steuerungen in Setting- und Maschinendaten: Feldgrößen und Werte, die vom Lieferzustand abweichen, das Programm, das die übrigen Werte belegt, und der nötige Speicher.
 definitions-channels-label = Kanäle, die messen
 definitions-read-files = Dateien zurücklesen
 definitions-save-file = { $name } speichern

@@ -31,7 +31,7 @@ import {
   highlightActiveLine,
   highlightActiveLineGutter,
   highlightSpecialChars,
-  hoverTooltip,
+  type KeyBinding,
   keymap,
   lineNumbers,
   tooltips,
@@ -48,6 +48,7 @@ import { keepLines, linesOf } from "./document";
 import { nct } from "./nct";
 import { sinumerik } from "./sinumerik";
 import { theme } from "./theme";
+import { atCaret, type Pointed, tell, underPointer, untell } from "./told";
 
 /** Lines from 1. */
 export interface LineMarks {
@@ -66,7 +67,7 @@ export interface EditorHost {
   typed(changes: { from: number; to: number; insert: string }[]): string;
   moved(offset: number, line: number): void;
   /** What is told of a place of a line where the pointer rests; null: nothing. */
-  pointed(line: string, at: number): { from: number; to: number; told: HTMLElement } | null;
+  pointed: Pointed;
 }
 /** Its name, and what it says by itself: the editor's own English words with those to be shown. */
 export interface EditorWords {
@@ -171,21 +172,25 @@ function valued(state: EditorState, { all, lit }: NonNullable<Shown["values"]>):
 }
 
 /** The keys that the page's sheet names, in CodeMirror's way of writing. */
-const COMMANDS: Record<Exclude<Command<"editor">, "leave-editor">, CodeCommand> = {
+type Own = Exclude<Command<"editor">, "leave-editor">;
+const commands = (host: EditorHost): Record<Own, CodeCommand> => ({
   find: openSearchPanel,
   "next-problem": nextDiagnostic,
   problems: openLintPanel,
-};
-const own = Object.entries(COMMANDS).flatMap(([command, run]) =>
-  KEYS.editor[command as keyof typeof COMMANDS].map((key: string) => {
-    const [name = "", ...held] = partsOf(key).reverse();
-    const parts = [
-      ...held.reverse().map(one => one.replace("Ctrl", "Mod")),
-      name.length === 1 ? name.toLowerCase() : name,
-    ];
-    return { key: parts.join("-"), run, preventDefault: true };
-  }),
-);
+  tell: tell((line, at) => host.pointed(line, at)),
+  untell,
+});
+const own = (host: EditorHost): KeyBinding[] =>
+  Object.entries(commands(host)).flatMap(([command, run]) =>
+    KEYS.editor[command as Own].map((key: string) => {
+      const [name = "", ...held] = partsOf(key).reverse();
+      const parts = [
+        ...held.reverse().map(one => one.replace("Ctrl", "Mod")),
+        name.length === 1 ? name.toLowerCase() : name,
+      ];
+      return { key: parts.join("-"), run, preventDefault: name !== "Escape" };
+    }),
+  );
 
 function speaking({ label, phrases }: EditorWords): Extension {
   return [EditorState.phrases.of(phrases), EditorView.contentAttributes.of({ "aria-label": label })];
@@ -201,13 +206,6 @@ function special(code: number, description: string | null, placeholder: string):
     byte ?? placeholder,
   );
 }
-
-const telling = (host: EditorHost): Extension =>
-  hoverTooltip((view, at) => {
-    const { from, text } = view.state.doc.lineAt(at);
-    const found = host.pointed(text, at - from);
-    return found && { pos: from + found.from, end: from + found.to, above: true, create: () => ({ dom: found.told }) };
-  });
 
 export function createEditor(box: HTMLElement, words: EditorWords, host: EditorHost): Editor {
   const root = box.attachShadow({ mode: "open" });
@@ -250,10 +248,11 @@ export function createEditor(box: HTMLElement, words: EditorWords, host: EditorH
         valuesField,
         language.of(LANGUAGES[dialect]),
         theme,
-        telling(host),
+        underPointer((line, at) => host.pointed(line, at)),
+        atCaret,
         tooltips({ tooltipSpace: ({ dom }) => dom.getBoundingClientRect() }), // it is cut off beyond
         listen,
-        keymap.of([...own, ...searchKeymap, ...lintKeymap, ...defaultKeymap]),
+        keymap.of([...own(host), ...searchKeymap, ...lintKeymap, ...defaultKeymap]),
         spoken.of(speaking(words)),
         EditorView.contentAttributes.of({ tabindex: "0", autocapitalize: "characters", spellcheck: "false" }),
       ],

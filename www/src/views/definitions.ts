@@ -43,14 +43,18 @@ function shareOf({ name, channel, bytes, delivered }: MemoryShare): TemplateResu
 }
 
 function outcome({ files, memory, needs, notes }: DefinitionsView): TemplateResult {
-  const heads = ["definitions-array", "definitions-scope", "definitions-bytes", "definitions-delivered"];
   const steps = notes.map(note => html`<li>${say(note)}</li>`);
   const least = needs.map(
     ({ number, value, source }) => html`<li>${t("definitions-need", { number, value, source })}</li>`,
   );
   return html`${steps.length ? html`<ol class="repeat-notes definitions-steps">${steps}</ol>` : nothing}
     ${files.length ? files.map(fileOf) : html`<p>${t("definitions-none")}</p>`}
-    <h3>${t("definitions-memory")}</h3>
+    ${memory.length ? shares(memory, least) : nothing}`;
+}
+
+function shares(memory: MemoryShare[], least: TemplateResult[]): TemplateResult {
+  const heads = ["definitions-array", "definitions-scope", "definitions-bytes", "definitions-delivered"];
+  return html`<h3>${t("definitions-memory")}</h3>
     <table class="definitions-memory">
       <thead
         ><tr>${heads.map(key => html`<th scope="col">${t(key)}</th>`)}</tr></thead

@@ -5,7 +5,7 @@
 
 use super::words::{Scan, Token};
 use crate::control::machine_data::{MACHINE_DATA, MachineDatum};
-use crate::control::{Value, arrays, gud};
+use crate::control::{Value, arrays, gud, setting_data};
 use std::collections::BTreeMap;
 
 /// Most elements of an array in a definition.
@@ -230,6 +230,10 @@ fn known(name: &str, number: Option<&str>, index: Option<String>) -> Option<Datu
     let index = index.map_or(String::new(), |index| format!("[{}]", index.replace(' ', "")));
     if let Some(gud) = gud::find(name) {
         return Some(Datum { name: format!("{name}{index}"), sizes: gud.sizes.to_vec(), channel: gud.channel });
+    }
+    if let Some(datum) = number.and_then(setting_data::find).or_else(|| setting_data::find(name)) {
+        let name = format!("{}{index}", datum.name());
+        return Some(Datum { name, sizes: Vec::new(), channel: datum.of_channel() });
     }
     let datum = machine_datum(name, number)?;
     let sizes = if datum.elements > 0 { vec![datum.elements] } else { Vec::new() };

@@ -93,7 +93,9 @@ fn print(view: &DefinitionsView, words: &Words, out: &mut dyn Write) -> std::io:
     if view.files.is_empty() {
         writeln!(out, "{}\n", words.key("definitions-none"))?;
     }
-    writeln!(out, "{}", words.key("definitions-memory"))?;
+    if !view.memory.is_empty() {
+        writeln!(out, "{}", words.key("definitions-memory"))?;
+    }
     for share in &view.memory {
         let key = if share.channel { "definitions-share-channel" } else { "definitions-share" };
         let message = Message::new(key).text("name", &share.name).number("bytes", share.bytes as f64);

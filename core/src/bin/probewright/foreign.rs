@@ -47,6 +47,10 @@ fn told(figure: &ForeignFigure) -> String {
 /// The text of a call of such a control with these values; none: it has no cycle of this name.
 pub fn write(name: &str, values: &[String]) -> Result<Option<String>, Problem> {
     let Some((control, cycle)) = foreign::find(name) else { return Ok(None) };
+    if !cycle.name.eq_ignore_ascii_case(name.trim()) {
+        let refused = Message::new("foreign-form").text("call", name.trim()).text("cycle", cycle.name);
+        return Err(wrong(refused.text("control", control.name)));
+    }
     let mut typed = Typed::new();
     for pair in values {
         let split = pair.split_once('=');

@@ -4,6 +4,10 @@ use crate::catalogue::prelude::*;
 
 /// Set size or position.
 pub const SET: (Name, Meaning) = (names::SETVAL, Meaning::Nominal);
+/// Set length of a rectangle along the abscissa.
+pub const FIRST: (Name, Meaning) = (names::SETV0, Meaning::FirstSide);
+/// Set length of a rectangle along the ordinate.
+pub const SECOND: (Name, Meaning) = (names::SETV1, Meaning::SecondSide);
 /// Measuring axis.
 pub const AXIS: (Name, Meaning) = (names::MA, Meaning::Axis);
 /// Infeed.

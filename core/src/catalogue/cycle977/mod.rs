@@ -12,7 +12,9 @@ pub(crate) mod simulate;
 #[cfg(test)]
 mod tests;
 
-use crate::catalogue::common::tasks::{AXIS, DOWN, LOWER, MOST, REACH, SAFE, SET, TOOL, UPPER, ZERO, tool, zero};
+use crate::catalogue::common::tasks::{
+    AXIS, DOWN, FIRST, LOWER, MOST, REACH, SAFE, SECOND, SET, TOOL, UPPER, ZERO, tool, zero,
+};
 use crate::catalogue::prelude::*;
 use crate::catalogue::sinumerik::help::{AGAIN, BLOCK, CALIBRATED, CORRECTION, MEASURING, PROBE};
 use crate::catalogue::{newer, older};
@@ -51,10 +53,14 @@ const TASKS: &[Shared] = &[
     zero(Task::Boss, 102, When::Variant(&[102, 1102]), &[SET, DOWN, REACH, SAFE, ZERO]),
     zero(Task::Pocket, 103, When::Variant(&[103, 1103]), &[SET, AXIS, REACH, SAFE, ZERO]),
     zero(Task::Web, 104, When::Variant(&[104, 1104]), &[SET, AXIS, DOWN, REACH, SAFE, ZERO]),
+    zero(Task::Rectangle, 105, When::Variant(&[105, 1105]), &[FIRST, SECOND, REACH, SAFE, ZERO]),
+    zero(Task::Island, 106, When::Variant(&[106, 1106]), &[FIRST, SECOND, DOWN, REACH, SAFE, ZERO]),
     tool(Task::Bore, 1, When::Variant(&[1, 1001]), &[SET, REACH, UPPER, LOWER, MOST, TOOL]),
     tool(Task::Boss, 2, When::Variant(&[2, 1002]), &[SET, DOWN, REACH, UPPER, LOWER, MOST, TOOL]),
     tool(Task::Pocket, 3, When::Variant(&[3, 1003]), &[SET, AXIS, REACH, UPPER, LOWER, MOST, TOOL]),
     tool(Task::Web, 4, When::Variant(&[4, 1004]), &[SET, AXIS, DOWN, REACH, UPPER, LOWER, MOST, TOOL]),
+    tool(Task::Rectangle, 5, When::Variant(&[5, 1005]), &[FIRST, SECOND, REACH, UPPER, LOWER, MOST, TOOL]),
+    tool(Task::Island, 6, When::Variant(&[6, 1006]), &[FIRST, SECOND, DOWN, REACH, UPPER, LOWER, MOST, TOOL]),
 ];
 
 /// The entry. Example: the hole of B:6050-6137.

@@ -34,9 +34,14 @@ pub fn propose(inputs: &Inputs, control: &Control) -> Proposal {
     place::proposal(part, place::in_plane(control, from))
 }
 
-/// Direction of the probe: as `_MD` says, else from the minus side in the plane and from its side along the applicate.
+/// Direction of the probe: as `_MD` says, else along the applicate from its side, and in the plane from the minus side,
+/// unless the call measures in the minus direction (CamHelper cd6e996: `CYCLE998(100105,…,103,2,…)`).
 fn towards(inputs: &Inputs, axis: usize, side: f64) -> f64 {
-    let minus = if AT_ANGLE.holds(inputs) { axis == 2 && side > 0.0 } else { inputs.integer(names::MD) == 1 };
+    let minus = match axis {
+        _ if !AT_ANGLE.holds(inputs) => inputs.integer(names::MD) == 1,
+        2 => side > 0.0,
+        _ => inputs.minus,
+    };
     if minus { -1.0 } else { 1.0 }
 }
 

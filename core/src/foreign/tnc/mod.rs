@@ -1,6 +1,6 @@
-//! HEIDENHAIN TNC: `TCH PROBE 4xx`, one `Qnnn=value` a line. Facts from published pages of its manuals (TNC 320 9/2016,
-//! TNC 320 340 55x-04, iTNC 530, TNC 640 9/2015, TNC7) and from what a published post processor writes (Autodesk,
-//! revision 42300); `table` names the page of each cycle.
+//! HEIDENHAIN TNC: `TCH PROBE 4xx`, one `Qnnn=value` a line, in DIN/ISO `G4xx` with the same parameters. Facts from
+//! published pages of its manuals (TNC 320 9/2016, TNC 320 340 55x-04, iTNC 530, TNC 640 9/2015, TNC7) and from what a
+//! published post processor writes (Autodesk, revision 42300); `table` names the page of each cycle.
 
 mod log;
 mod read;
@@ -14,6 +14,8 @@ pub static CONTROL: Foreign = Foreign {
     name: "HEIDENHAIN TNC",
     cycles: &table::CYCLES,
     results: "tnc-results",
+    unpublished: "tnc-unpublished",
+    named: read::named,
     is_program: read::is_program,
     calls: read::calls,
     values: read::values_of_line,

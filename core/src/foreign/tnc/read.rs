@@ -1,6 +1,8 @@
-//! Programs in conversational text. A call goes on over the lines that begin with a Q parameter, with or without `~`.
+//! Programs in conversational text and in DIN/ISO. A call goes on over the lines that begin with a Q parameter, with or
+//! without `~`; in DIN/ISO `*` ends it (TNC 410 ISO programming, p. 283), and its word is `G` with the number of the
+//! cycle (TNC 320 9/2016, p. 396: cycle 423, DIN/ISO: G423).
 
-use super::super::{ForeignCall, ForeignValue};
+use super::super::{ForeignCall, ForeignCycle, ForeignValue};
 use super::table::CYCLES;
 use crate::diagnostic::Span;
 
@@ -9,11 +11,21 @@ const HEAD: usize = 200;
 /// How a probe cycle begins.
 const CALL: &[u8] = b"TCH PROBE ";
 
+/// Digits of a touch probe cycle, as a function of DIN/ISO: G400 to G499.
+const DIGITS: usize = 3;
+
 /// Whether a text begins as such a program, or calls a probe cycle at its head.
 pub fn is_program(source: &[u8]) -> bool {
     let lines = lines(source).map(|(_, line)| code(line)).filter(|line| !line.is_empty());
-    let begins = |(at, line): (usize, &[u8])| at == 0 && begins_with(line, b"BEGIN PGM ") || begins_with(line, CALL);
+    let begins = |(at, line): (usize, &[u8])| at == 0 && begins_with(line, b"BEGIN PGM ") || called(line).is_some();
     lines.take(HEAD).enumerate().any(begins)
+}
+
+/// The cycle that a program calls so.
+pub fn named(name: &str) -> Option<&'static ForeignCycle> {
+    let number = function(name.as_bytes()).map(|digits| format!("{}{digits}", String::from_utf8_lossy(CALL)));
+    let name = number.as_deref().unwrap_or(name);
+    CYCLES.iter().find(|cycle| cycle.name.eq_ignore_ascii_case(name))
 }
 
 /// The probe cycles of a program.
@@ -24,8 +36,10 @@ pub fn calls(source: &[u8]) -> Vec<ForeignCall> {
         let code = code(line);
         // where the code begins in the text
         let at = start + (code.as_ptr() as usize - line.as_ptr() as usize);
-        if begins_with(code, CALL) {
-            found.push(call(code, at, number));
+        if let Some((name, length)) = called(code) {
+            let rest = code.get(length..).unwrap_or_default();
+            let (span, values) = (span(at, length), values(rest, at + length));
+            found.push(ForeignCall { cycle: named(&name), name, line: number, span, values });
             goes_on = true;
         } else if goes_on && is_value(code) {
             if let Some(last) = found.last_mut() {
@@ -59,6 +73,10 @@ fn lines(source: &[u8]) -> impl Iterator<Item = (usize, &[u8])> {
 fn code(line: &[u8]) -> &[u8] {
     let line = line.strip_prefix(b"\xef\xbb\xbf").unwrap_or(line).trim_ascii_start();
     let line = line.strip_prefix(b"/").unwrap_or(line);
+    let line = match line {
+        [b'N' | b'n', rest @ ..] if rest.first().is_some_and(u8::is_ascii_digit) => rest, // of DIN/ISO
+        line => line,
+    };
     let digits = line.iter().take_while(|byte| byte.is_ascii_digit()).count();
     let behind = line.get(digits..).unwrap_or_default();
     let line = if digits > 0 && behind.first().is_some_and(u8::is_ascii_whitespace) { behind } else { line };
@@ -78,17 +96,27 @@ fn is_value(code: &[u8]) -> bool {
     digits > 0 && rest.get(digits..).unwrap_or_default().trim_ascii_start().starts_with(b"=")
 }
 
-fn call(code: &[u8], at: usize, line: u32) -> ForeignCall {
-    let behind = code.get(CALL.len()..).unwrap_or_default();
+/// The name of the cycle that a line calls, and its length there.
+fn called(code: &[u8]) -> Option<(String, usize)> {
+    if let Some(digits) = function(code) {
+        let rest = code.get(1 + DIGITS..).unwrap_or_default();
+        // a function of this number with a parameter behind it: no other control writes that
+        return is_value(rest.trim_ascii_start()).then(|| (format!("G{digits}"), 1 + DIGITS));
+    }
+    let behind = code.get(CALL.len()..).filter(|_| begins_with(code, CALL))?;
     let blanks = behind.iter().take_while(|byte| byte.is_ascii_whitespace()).count();
     let number = behind.get(blanks..).unwrap_or_default();
     let length = number.iter().take_while(|byte| byte.is_ascii_digit() || **byte == b'.').count();
-    let number = String::from_utf8_lossy(number.get(..length).unwrap_or_default()).into_owned();
-    let name = format!("TCH PROBE {number}");
-    let end = CALL.len() + blanks + length;
-    let rest = code.get(end..).unwrap_or_default();
-    let cycle = CYCLES.iter().find(|cycle| cycle.name == name);
-    ForeignCall { cycle, name, line, span: span(at, end), values: values(rest, at + end) }
+    let number = String::from_utf8_lossy(number.get(..length).unwrap_or_default());
+    Some((format!("TCH PROBE {number}"), CALL.len() + blanks + length))
+}
+
+/// Digits of the function of DIN/ISO with which a line begins, where probe cycles have such numbers.
+fn function(code: &[u8]) -> Option<&str> {
+    let [b'G' | b'g', b'4', rest @ ..] = code else { return None };
+    let ends = !rest.get(DIGITS - 1).is_some_and(u8::is_ascii_alphanumeric);
+    let digits = std::str::from_utf8(code.get(1..1 + DIGITS)?).ok()?;
+    (ends && digits.bytes().all(|byte| byte.is_ascii_digit())).then_some(digits)
 }
 
 /// The parameters in a piece of a line that begins there.
@@ -102,7 +130,7 @@ fn values(code: &[u8], at: usize) -> Vec<ForeignValue> {
     for (start, word) in words.filter(|(_, word)| is_value(word)) {
         let Some(equals) = word.iter().position(|byte| *byte == b'=') else { continue };
         let value = word.get(equals + 1..).unwrap_or_default();
-        let value = value.strip_suffix(b"~").unwrap_or(value);
+        let value = value.strip_suffix(b"~").or_else(|| value.strip_suffix(b"*")).unwrap_or(value);
         found.push(ForeignValue {
             name: String::from_utf8_lossy(word.get(..equals).unwrap_or_default()).to_ascii_uppercase(),
             name_span: span(at + start, equals),

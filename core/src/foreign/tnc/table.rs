@@ -22,7 +22,7 @@ const fn q(name: &'static str, key: &'static str, text: &'static str, range: Ran
 const Q247: Parameter = q("Q247", "tnc-q247", "STEPPING ANGLE", Range::closed(-120.0, 120.0), Usual(90.0));
 const Q260: Parameter = q("Q260", "tnc-q260", "CLEARANCE HEIGHT", COORDINATE, Clearance);
 const Q261: Parameter = q("Q261", "tnc-q261", "MEASURING HEIGHT", COORDINATE, Height);
-const Q262: Parameter = q("Q262", "tnc-q262", "NOMINAL DIAMETER", LENGTH, Nominal);
+const Q262: Parameter = q("Q262", "tnc-q262", "NOMINAL DIAMETER", LENGTH, Nominal(0));
 const Q263: Parameter = q("Q263", "tnc-q263", "1ST POINT 1ST AXIS", COORDINATE, Point(0));
 const Q264: Parameter = q("Q264", "tnc-q264", "1ST POINT 2ND AXIS", COORDINATE, Point(1));
 const Q265: Parameter = q("Q265", "tnc-q265", "2ND POINT 1ST AXIS", COORDINATE, Own);
@@ -31,21 +31,21 @@ const Q267: Parameter = q("Q267", "tnc-q267", "TRAVERSE DIRECTION", Range::close
 const Q272: Parameter = q("Q272", "tnc-q272", "MEASURING AXIS", Range::closed(1.0, 3.0), Axis);
 const Q273: Parameter = q("Q273", "tnc-q273", "CENTER IN 1ST AXIS", COORDINATE, Centre(0));
 const Q274: Parameter = q("Q274", "tnc-q274", "CENTER IN 2ND AXIS", COORDINATE, Centre(1));
-const Q275: Parameter = q("Q275", "tnc-q275", "MAXIMUM DIMENSION", LENGTH, Maximum);
-const Q276: Parameter = q("Q276", "tnc-q276", "MINIMUM DIMENSION", LENGTH, Minimum);
-const Q277: Parameter = q("Q277", "tnc-q277", "MAXIMUM DIMENSION", LENGTH, Maximum);
-const Q278: Parameter = q("Q278", "tnc-q278", "MINIMUM DIMENSION", LENGTH, Minimum);
+const Q275: Parameter = q("Q275", "tnc-q275", "MAXIMUM DIMENSION", LENGTH, Maximum(0));
+const Q276: Parameter = q("Q276", "tnc-q276", "MINIMUM DIMENSION", LENGTH, Minimum(0));
+const Q277: Parameter = q("Q277", "tnc-q277", "MAXIMUM DIMENSION", LENGTH, Maximum(0));
+const Q278: Parameter = q("Q278", "tnc-q278", "MINIMUM DIMENSION", LENGTH, Minimum(0));
 const Q279: Parameter = q("Q279", "tnc-q279", "TOLERANCE 1ST CENTER", LENGTH, Usual(0.0));
 const Q280: Parameter = q("Q280", "tnc-q280", "TOLERANCE 2ND CENTER", LENGTH, Usual(0.0));
 const Q281: Parameter = q("Q281", "tnc-q281", "MEASURING LOG", Range::closed(0.0, 2.0), Usual(0.0));
-const Q282: Parameter = q("Q282", "tnc-q282", "1ST SIDE LENGTH", LENGTH, Own);
-const Q283: Parameter = q("Q283", "tnc-q283", "2ND SIDE LENGTH", LENGTH, Own);
-const Q284: Parameter = q("Q284", "tnc-q284", "MAX. LIMIT 1ST SIDE", LENGTH, Maximum);
-const Q285: Parameter = q("Q285", "tnc-q285", "MIN. LIMIT 1ST SIDE", LENGTH, Minimum);
-const Q286: Parameter = q("Q286", "tnc-q286", "MAX. LIMIT 2ND SIDE", LENGTH, Maximum);
-const Q287: Parameter = q("Q287", "tnc-q287", "MIN. LIMIT 2ND SIDE", LENGTH, Minimum);
-const Q288: Parameter = q("Q288", "tnc-q288", "MAXIMUM DIMENSION", Range::ANY, Maximum);
-const Q289: Parameter = q("Q289", "tnc-q289", "MINIMUM DIMENSION", Range::ANY, Minimum);
+const Q282: Parameter = q("Q282", "tnc-q282", "1ST SIDE LENGTH", LENGTH, Nominal(0));
+const Q283: Parameter = q("Q283", "tnc-q283", "2ND SIDE LENGTH", LENGTH, Nominal(1));
+const Q284: Parameter = q("Q284", "tnc-q284", "MAX. LIMIT 1ST SIDE", LENGTH, Maximum(0));
+const Q285: Parameter = q("Q285", "tnc-q285", "MIN. LIMIT 1ST SIDE", LENGTH, Minimum(0));
+const Q286: Parameter = q("Q286", "tnc-q286", "MAX. LIMIT 2ND SIDE", LENGTH, Maximum(1));
+const Q287: Parameter = q("Q287", "tnc-q287", "MIN. LIMIT 2ND SIDE", LENGTH, Minimum(1));
+const Q288: Parameter = q("Q288", "tnc-q288", "MAXIMUM DIMENSION", Range::ANY, Maximum(0));
+const Q289: Parameter = q("Q289", "tnc-q289", "MINIMUM DIMENSION", Range::ANY, Minimum(0));
 const Q291: Parameter = q("Q291", "tnc-q291", "ANGLE OF 1ST HOLE", Range::ANY, Own);
 const Q292: Parameter = q("Q292", "tnc-q292", "ANGLE OF 2ND HOLE", Range::ANY, Own);
 const Q293: Parameter = q("Q293", "tnc-q293", "ANGLE OF 3RD HOLE", Range::ANY, Own);
@@ -56,13 +56,13 @@ const Q305: Parameter = q("Q305", "tnc-q305", "NUMBER IN TABLE", Range::NOT_NEGA
 const Q307: Parameter = q("Q307", "tnc-q307", "PRESET ROTATION ANG.", Range::ANY, Own);
 const Q309: Parameter = q("Q309", "tnc-q309", "PGM-STOP IF ERROR", Range::closed(0.0, 1.0), Usual(0.0));
 const Q310: Parameter = q("Q310", "tnc-q310", "OFFS. 2ND MEASUREMNT", COORDINATE, Usual(0.0));
-const Q311: Parameter = q("Q311", "tnc-q311", "NOMINAL LENGTH", LENGTH, Nominal);
+const Q311: Parameter = q("Q311", "tnc-q311", "NOMINAL LENGTH", LENGTH, Nominal(0));
 const Q312: Parameter = q("Q312", "tnc-q312", "COMPENSATION AXIS", Range::ANY, Own);
 const Q320: Parameter = q("Q320", "tnc-q320", "SET-UP CLEARANCE", LENGTH, Usual(0.0));
 const Q321: Parameter = q("Q321", "tnc-q321", "CENTER IN 1ST AXIS", COORDINATE, Centre(0));
 const Q322: Parameter = q("Q322", "tnc-q322", "CENTER IN 2ND AXIS", COORDINATE, Centre(1));
-const Q323: Parameter = q("Q323", "tnc-q323", "FIRST SIDE LENGTH", LENGTH, Own);
-const Q324: Parameter = q("Q324", "tnc-q324", "2ND SIDE LENGTH", LENGTH, Own);
+const Q323: Parameter = q("Q323", "tnc-q323", "FIRST SIDE LENGTH", LENGTH, Nominal(0));
+const Q324: Parameter = q("Q324", "tnc-q324", "2ND SIDE LENGTH", LENGTH, Nominal(1));
 const Q325: Parameter = q("Q325", "tnc-q325", "STARTING ANGLE", ANGLE, Usual(0.0));
 const Q328: Parameter = q("Q328", "tnc-q328", "STARTNG PNT 1ST AXIS", COORDINATE, Centre(0));
 const Q329: Parameter = q("Q329", "tnc-q329", "STARTNG PNT 2ND AXIS", COORDINATE, Centre(1));
@@ -159,7 +159,7 @@ pub static CYCLES: [ForeignCycle; 19] = [
         key: "tnc-410",
         source: POST,
         is_written: false,
-        tasks: &[],
+        tasks: &[(Task::Rectangle, Aim::Datum)],
         parameters: &[
             Q321, Q322, Q323, Q324, Q261, Q320, Q260, Q301, Q305, Q331, Q332, Q303, Q381, Q382, Q383, Q384, Q333,
         ],
@@ -170,7 +170,7 @@ pub static CYCLES: [ForeignCycle; 19] = [
         key: "tnc-411",
         source: POST,
         is_written: false,
-        tasks: &[],
+        tasks: &[(Task::Island, Aim::Datum)],
         parameters: &[
             Q321, Q322, Q323, Q324, Q261, Q320, Q260, Q301, Q305, Q331, Q332, Q303, Q381, Q382, Q383, Q384, Q333,
         ],
@@ -250,7 +250,7 @@ pub static CYCLES: [ForeignCycle; 19] = [
         key: "tnc-423",
         source: "TNC 320 9/2016, p. 396",
         is_written: true,
-        tasks: &[],
+        tasks: &[(Task::Rectangle, Aim::Measure)],
         parameters: &[
             Q273, Q274, Q282, Q283, Q261, Q320, Q260, Q301, Q284, Q285, Q286, Q287, Q279, Q280, Q281, Q309, Q330,
         ],
@@ -261,7 +261,7 @@ pub static CYCLES: [ForeignCycle; 19] = [
         key: "tnc-424",
         source: POST,
         is_written: false,
-        tasks: &[],
+        tasks: &[(Task::Island, Aim::Measure)],
         parameters: &[
             Q273, Q274, Q282, Q283, Q261, Q320, Q260, Q301, Q284, Q285, Q286, Q287, Q279, Q280, Q281, Q309, Q330,
         ],
@@ -295,9 +295,9 @@ pub static CYCLES: [ForeignCycle; 19] = [
     },
     ForeignCycle {
         name: "TCH PROBE 430",
-        text: "",
+        text: "MEAS. BOLT HOLE CIRC",
         key: "tnc-430",
-        source: "iTNC 530 340 49x-04, p. 138",
+        source: "iTNC 530 340 49x-04, p. 138; TNC7 basic 81762x-19, cycle 430",
         is_written: false,
         tasks: &[],
         parameters: &[

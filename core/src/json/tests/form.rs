@@ -140,6 +140,16 @@ fn the_start_of_a_list_follows_its_direction() {
         assert!((start - 12.0) * side > 0.0, "{direction}: {start}");
         assert!(view["outcome"].is_object());
     }
+    // an edge at an angle, measured along the ordinate; 998 has the same numbers (CamHelper cd6e996)
+    for (direction, side) in [("1", -1.0), ("2", 1.0)] {
+        let edge = json!({ "_MVAR": "105", "_SETVAL": "12", "_MA": "102", "_STA1": "0", "_ID": "40", "_KNUM": "1",
+            "_RA": "0", "_PRNUM": "1", "_FA": "10", "_TSA": "5", "S_MD": direction });
+        let view = ask("CYCLE998", edge);
+        assert_eq!(told(&view), [""; 0], "{direction}");
+        let start = view["setup"]["position"][1].as_f64().unwrap();
+        assert!((start - 12.0) * side > 0.0, "{direction}: {start}");
+        assert_eq!(view["outcome"]["alarms"], json!([]), "{direction}");
+    }
     // from above a face is measured downwards only
     let up = json!({ "_MVAR": "100", "_SETVAL": "12", "_MA": "3", "_KNUM": "1", "_FA": "2", "S_MD": "1" });
     assert_eq!(told(&ask("CYCLE978", up)), ["S_MD"]);
@@ -176,6 +186,22 @@ fn the_same_task_stands_beside_the_form_as_other_controls_write_it() {
     assert_eq!((&boss["cycle"], &boss["snippet"]), (&json!("TCH PROBE 422"), &json!("")));
     assert_eq!(boss["refused"]["key"], "foreign-not-written");
     assert_eq!(boss["values"]["Q261"], "-10");
+    // a rectangle has two sizes with one tolerance
+    let inside =
+        json!({ "_MVAR": "5", "_SETV[0]": "60", "_SETV[1]": "40", "_TUL": "0.2", "_TLL": "-0.1", "_KNUM": "0" });
+    let inside = on_tnc("CYCLE977", inside);
+    let text = inside["snippet"].as_str().unwrap();
+    for line in [
+        "TCH PROBE 423 ", "Q282=+60.05 ;", "Q283=+40.05 ;", "Q284=+60.2 ;", "Q285=+59.9 ;", "Q286=+40.2 ;",
+        "Q287=+39.9 ;",
+    ] {
+        assert!(text.contains(line), "{line} {text}");
+    }
+    assert_eq!(inside["task"]["key"], "task-rectangle");
+    let island = json!({ "_MVAR": "106", "_SETV[0]": "60", "_SETV[1]": "40", "_ID": "-30", "_KNUM": "1" });
+    let island = on_tnc("CYCLE977", island);
+    assert_eq!((&island["cycle"], &island["values"]["Q324"]), (&json!("TCH PROBE 411"), &json!("40")));
+    assert_eq!(island["values"]["Q261"], "-10");
     let wall = on_tnc("CYCLE978", json!({ "_MVAR": "0", "_SETVAL": "-12", "_MA": "2" }));
     let text = wall["snippet"].as_str().unwrap();
     for line in ["TCH PROBE 427 ", "Q263=+0 ;", "Q264=-12 ;", "Q272=+2 ;", "Q267=-1 ;"] {

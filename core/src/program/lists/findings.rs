@@ -6,7 +6,7 @@ use super::{ListCall, list_call, set};
 use crate::catalogue::CYCLES;
 use crate::catalogue::newer::LISTS;
 use crate::catalogue::newer::arguments::Argument;
-use crate::check::newer::{is_newer_zero, is_nothing};
+use crate::check::newer::{DIRECTION, MINUS, is_newer_zero, is_nothing};
 use crate::check::{Parsed, parse};
 use crate::diagnostic::{Diagnostic, Edit, Severity, Span};
 use crate::entry::{Inputs, names};
@@ -28,7 +28,25 @@ pub fn of_call(program: &Program, site: &CallSite) -> Option<Vec<Diagnostic>> {
     let mut found: Vec<Diagnostic> =
         site.diagnostics.iter().map(|one| with_cure(program, site, &call, one.clone())).collect();
     found.extend(inch_path(program, site, &call));
+    found.extend(direction(&call));
+    found.extend(beyond(&call));
     Some(found)
+}
+
+/// A measuring direction that is neither plus nor minus, in the lists that are understood.
+fn direction(call: &ListCall) -> Option<Diagnostic> {
+    let argument = call.arguments.get(call.index(DIRECTION).filter(|_| call.list.is_written())?)?;
+    let Parsed::Number(number) = parse(&argument.text) else { return None };
+    let finding = own::NEWER_OPEN.finding().text("param", DIRECTION).text("value", argument.text.as_str());
+    (![1.0, MINUS].contains(&number)).then(|| finding.on(argument.place))
+}
+
+/// Arguments behind the last one that is published: some control may have them.
+fn beyond(call: &ListCall) -> Option<Diagnostic> {
+    let most = call.list.args.len();
+    let first = call.arguments.iter().skip(most).find(|argument| !argument.text.is_empty())?;
+    let finding = own::NEWER_BEYOND.finding().text("cycle", call.list.name).number("most", most as f64);
+    Some(finding.on(first.place))
 }
 
 /// A number in argument 2 that this variant does not correct: the variant that does, or no number.

@@ -5,11 +5,12 @@ pub mod findings;
 
 use super::arguments::{put, texts};
 use super::change::Edit;
-use crate::catalogue::newer::LISTS;
 use crate::catalogue::newer::arguments::Argument;
+use crate::catalogue::newer::{self, LISTS};
 use crate::diagnostic::Span;
 use crate::dialect::Dialect;
 use crate::entry::ArgumentList;
+use crate::message::Message;
 use crate::syntax::{Program, Word, WordKind};
 
 /// A call in such a list.
@@ -50,6 +51,11 @@ pub fn list_calls(program: &Program) -> Vec<ListCall> {
         return Vec::new();
     }
     program.words.iter().filter_map(|word| list_call(program, word)).collect()
+}
+
+/// Cycles that only newer controls have, each with what it does.
+pub fn without_form() -> impl Iterator<Item = (&'static str, Message)> {
+    LISTS.iter().filter_map(|list| Some((list.name, newer::title(list)?)))
 }
 
 /// A word as such a call.

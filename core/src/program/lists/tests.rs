@@ -177,6 +177,27 @@ fn a_call_is_not_moved_on_suspicion() {
     }
 }
 
+// oracle: peer (S_MD is 1 or 2; the published list of CYCLE977 has 30 arguments); a reader takes any tail
+#[test]
+fn a_direction_and_arguments_that_are_not_published_are_noted() {
+    let noted = |text: &str| -> Vec<String> {
+        let found = findings(&program(text)).into_iter().filter(|one| one.code == crate::own::NEWER_OPEN.code());
+        found.map(|one| format!("{} {}", one.message.key, text_at(text, one.span.unwrap()))).collect()
+    };
+    let edge = "CYCLE978(100,1,,1,0,10,5,1,3,1,\"\",,0,1.01,1.01,-1.01,0.34,1,0,,1,1)\n";
+    assert_eq!(noted(edge), ["newer-open 3"]);
+    for right in ["1", "2", "", "R5"] {
+        assert_eq!(noted(&edge.replacen(",1,3,1", &format!(",1,{right},1"), 1)), [""; 0], "{right}");
+    }
+    let hole = "CYCLE977(101,1,,1,60,,,2,1,,,,,,1,\"\",,0,1.01,1.01,-1.01,0.34,1,0,,1,1,,,";
+    assert_eq!(noted(&format!("{hole},,7)\n")), ["newer-beyond 7"]);
+    assert_eq!(noted(&format!("{hole},,,)\n")), [""; 0]);
+}
+
+fn text_at(text: &str, span: Span) -> &str {
+    &text[span.start as usize..span.end as usize]
+}
+
 // oracle: hand
 #[test]
 fn one_argument_stays_one() {

@@ -3,6 +3,7 @@
 pub mod definition_files;
 mod list;
 pub mod machine;
+pub mod setting_data;
 mod support;
 
 use crate::catalogue::Functions;

@@ -1,13 +1,16 @@
 //! What can be written at a place: cycles, parameters of the call that it reaches, values of a parameter.
 
+use super::foreign;
 use super::known::{Document, Known};
 use lsp_types::{CompletionItem, CompletionItemKind, CompletionTextEdit, Position, Range, TextEdit};
 use probewright_core::catalogue::CYCLES;
 use probewright_core::dialect::Dialect;
-use probewright_core::entry::{Arg, Cycle};
-use probewright_core::form::{Choice, Entry, Field, Group};
+use probewright_core::entry::{Arg, ArgumentList, Cycle, Inputs};
+use probewright_core::form::{self, Choice, Entry, Field, Group};
 use probewright_core::message::Message;
+use probewright_core::name::Name;
 use probewright_core::program::calls::CallSite;
+use probewright_core::program::lists::without_form;
 use probewright_core::words::Words;
 
 /// What is being written, up to the place.
@@ -22,6 +25,9 @@ enum Begun<'a> {
 
 /// What can be written at a position.
 pub fn at(document: &Document, known: &Known, at: Position, words: &Words) -> Vec<CompletionItem> {
+    if let Some(items) = foreign::at(document, known, at, words) {
+        return items;
+    }
     let (before, byte) = document.text.before(at);
     let by_address = known.program.dialect == Dialect::Nct;
     if in_comment(before, by_address) {
@@ -89,13 +95,13 @@ fn open_call(before: &str) -> Option<(&str, &str)> {
 }
 
 /// Makes items.
-struct Make<'a> {
-    range: Range,
-    words: &'a Words,
+pub struct Make<'a> {
+    pub range: Range,
+    pub words: &'a Words,
 }
 
 impl Make<'_> {
-    fn item(&self, label: &str, insert: &str, kind: CompletionItemKind, detail: String) -> CompletionItem {
+    pub fn item(&self, label: &str, insert: &str, kind: CompletionItemKind, detail: String) -> CompletionItem {
         let edit = TextEdit { range: self.range, new_text: insert.to_owned() };
         CompletionItem {
             label: label.to_owned(),
@@ -180,15 +186,40 @@ fn variants(known: &Known, name: &str, make: &Make) -> Vec<CompletionItem> {
 /// What an argument in brackets can be, by the lists of the cycles.
 fn argument(known: &Known, at: u32, called: &str, place: usize, make: &Make) -> Vec<CompletionItem> {
     let site = known.call(at).or_else(|| known.next(at));
-    let of_dialect = CYCLES.iter().filter(|cycle| cycle.dialect == known.program.dialect);
+    let of_dialect = CYCLES.iter().copied().filter(|cycle| cycle.dialect == known.program.dialect);
     let mut lists = of_dialect.flat_map(|cycle| cycle.lists.iter().map(move |list| (cycle, list)));
     let found = lists.find(|(cycle, list)| {
         list.name.eq_ignore_ascii_case(called) && site.is_none_or(|site| site.cycle.name == cycle.name)
     });
     match found.and_then(|(_, list)| list.args.get(place)) {
+        Some(Arg::Newer(_, Some(name))) => of_newer(found, *name, values(known, site, name, make)),
         Some(Arg::Select(choices)) => choices.iter().map(|(number, _)| make.choice(*number, String::new())).collect(),
         Some(Arg::Is(number)) => vec![make.choice(*number, called.to_owned())],
+        Some(Arg::Newer(name, None)) => own_value(name, make),
         other => other.and_then(Arg::param).map_or_else(Vec::new, |name| values(known, site, &name, make)),
+    }
+}
+
+/// Of the variants those whose numbers are known in the list.
+fn of_newer(
+    found: Option<(&'static Cycle, &'static ArgumentList)>,
+    name: Name,
+    mut items: Vec<CompletionItem>,
+) -> Vec<CompletionItem> {
+    let Some((cycle, list)) = found.filter(|(cycle, _)| cycle.variant_param() == Some(name)) else { return items };
+    let known = |item: &CompletionItem| {
+        let number = item.label.parse().ok();
+        number.is_some_and(|number| list.when.holds(&Inputs::new(cycle, number)))
+    };
+    items.retain(known);
+    items
+}
+
+/// The values of an argument that only newer controls have.
+fn own_value(name: &str, make: &Make) -> Vec<CompletionItem> {
+    match form::argument_entry(name) {
+        Entry::Choice { choices } => make.choices(&choices),
+        _ => Vec::new(),
     }
 }
 
@@ -196,7 +227,9 @@ fn argument(known: &Known, at: u32, called: &str, place: usize, make: &Make) -> 
 fn names(known: &Known, next: Option<&CallSite>, at: u32, make: &Make) -> Vec<CompletionItem> {
     let by_address = known.program.dialect == Dialect::Nct;
     let cycles = CYCLES.iter().filter(|cycle| cycle.dialect == known.program.dialect);
-    let cycles = cycles.map(|cycle| make.cycle(cycle));
+    let newer = without_form()
+        .map(|(name, title)| make.item(name, name, CompletionItemKind::FUNCTION, make.words.text(&title)));
+    let cycles = cycles.map(|cycle| make.cycle(cycle)).chain(newer.filter(|_| !by_address));
     let near = next.filter(|site| !by_address || known.program.line_of(at) == site.line);
     let mut items = Vec::new();
     if let Some(site) = near {

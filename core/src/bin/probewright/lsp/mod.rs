@@ -6,6 +6,7 @@ mod complete;
 mod diagnose;
 mod explain;
 mod find;
+mod foreign;
 mod known;
 mod outline;
 mod paths;

@@ -3,6 +3,7 @@
 use super::known::{Document, Known};
 use lsp_types::{Range, SymbolKind};
 use probewright_core::diagnostic::Span;
+use probewright_core::program::others::{Other, others};
 use probewright_core::syntax::Word;
 use probewright_core::syntax::programs::{Programs, Unit, bare, programs};
 use probewright_core::words::Words;
@@ -70,6 +71,11 @@ fn lines(document: &Document, known: &Known, all: &Programs, unit: &Unit, words:
         let lines = document.text.range_of_lines(site.first_line, site.line);
         let call = plain(site.cycle.name.to_owned(), title, SymbolKind::EVENT, site.span);
         found.push(Symbol { range: lines, ..call });
+    }
+    let own = |one: &Other| known.joined.of_program(one.span);
+    let within = |one: &Other| unit.blocks.contains(&(known.program.line_of(one.span.start) as usize));
+    for Other { name, title, span } in others(&known.program).filter(|one| own(one) && within(one)) {
+        found.push(plain(name, words.text(&title), SymbolKind::EVENT, span));
     }
     found.sort_by_key(|symbol| symbol.selection.start);
     found
