@@ -10,9 +10,9 @@ use std::path::{Path, PathBuf};
 
 /// Units and names, which are the same in every language.
 const SAME: &[&str] = &[
-    "app-name", "equipment-shape", "program-file-nct", "program-file-sinumerik", "term-frame", "term-microsoft",
-    "term-software", "unit-ft-per-min", "unit-hex", "unit-inch", "unit-inch-per-min", "unit-m-per-min",
-    "unit-mm-per-min", "unit-rpm",
+    "app-name", "compatibility-version", "equipment-shape", "program-file-nct", "program-file-sinumerik", "term-frame",
+    "term-microsoft", "term-software", "unit-ft-per-min", "unit-hex", "unit-inch", "unit-inch-per-min",
+    "unit-m-per-min", "unit-mm-per-min", "unit-rpm",
 ];
 
 /// Words that another language shares with English.
