@@ -206,6 +206,7 @@ sentences! {
     BRAKING 164 Warning "check-braking" "check-braking-hint";
     ADVICE_MILLED_DIAMETER 165 Note "advice-milled-diameter" "advice-milled-diameter-hint";
     ADVICE_LENGTH 166 Warning "advice-length" "advice-length-hint";
+    ADVICE_LOG_AGAIN 167 Warning "advice-log-again" "advice-log-again-hint";
     SPREAD_CIRCLE 170 Warning "check-spread-circle" "check-spread-circle-hint";
     SPREAD_CENTRE 170 Warning "check-spread-centre" "check-spread-circle-hint";
     SPREAD_CORNER 171 Warning "check-spread-corner" "check-spread-corner-hint";

@@ -23,6 +23,7 @@ pub const KEYS: &[&str] = &[
     "run-transformed", "run-restart", "run-program-unknown", "run-skipped-dry-run", "run-skipped-program-test",
     "run-skipped-block-search", "run-skipped-simulation", "run-jobshop", "run-deviation", "run-search-missed",
     "run-mode-none", "run-foreign",
+    "run-log-deleted", "run-log-full", "run-screen-empty", "run-dialogue",
 ];
 
 /// Keys of what a run goes on without: named at its end.
@@ -38,6 +39,10 @@ const CURES: &[(&str, &str)] = &[
     ("run-machine-value", "run-machine-value-hint"),
     ("run-waits", "run-machine-value-hint"),
     ("run-log-on", "run-log-on-hint"),
+    ("run-log-deleted", "run-log-deleted-hint"),
+    ("run-log-full", "run-log-full-hint"),
+    ("run-screen-empty", "run-screen-empty-hint"),
+    ("run-dialogue", "run-dialogue-hint"),
 ];
 
 /// Something wrong at a place.

@@ -360,7 +360,7 @@ fn the_clock_goes_on() {
 fn a_program_stops_with_its_own_text() {
     let outcome = go("#3006=1 (CLEAN THE BALL)\nM30");
     assert_eq!(outcome.stop, None);
-    let shown = Step::Message { text: "CLEAN THE BALL".to_owned() };
+    let shown = Step::Message { text: "CLEAN THE BALL".to_owned(), waits: true };
     assert!(outcome.trace.entries.iter().any(|entry| entry.step == shown));
     let outcome = go("#3000=12 (PART MISSING)\nM30");
     let Some(Stop::Fault(message)) = outcome.stop else {

@@ -58,12 +58,20 @@ describe("the record of a run", () => {
     await page.evaluate(() => {
       window.print = () => undefined;
     });
+    await page.locator(".record-fill summary").click();
+    for (const [title, text] of [
+      ["part", "Flange 12"],
+      ["order", "A-4711"],
+      ["machine", "Mill 3"],
+    ])
+      await page.locator(`[data-title="${title}"]`).fill(text);
+    await page.locator('[data-title="machine"]').blur();
     await page.emulateMedia({ media: "print" });
     await page.locator('.whole-top button:has-text("Print record")').evaluate(button => button.click());
     const sheet = page.locator(".record-sheet");
     await sheet.waitFor();
     const told = (await sheet.innerText()).replaceAll("\u00a0", " ");
-    for (const part of ["Measurement record", "hole.mpf", "SINUMERIK", "ball 6 mm", "132.030", "±0.100", "+0.030"])
+    for (const part of ["Measurement record", "hole.mpf", "SINUMERIK", "ball 6 mm", "132.030", "±0.100", "+0.030", "Flange 12", "A-4711", "Mill 3"])
       assert.ok(told.includes(part), `${part}\n${told}`);
     assert.match(told, /30 %/);
     assert.match(told, /machine that cut the part/);

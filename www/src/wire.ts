@@ -104,6 +104,14 @@ export type Around = {
   degrees: number,
 };
 
+/** A block that a control cannot have. */
+export type AroundAbsent = {
+  /** Key of its title. */
+  key: string,
+  /** Key of the sentence that says why. */
+  why: string,
+};
+
 /** A block. */
 export type AroundBlock = {
   /** Its name. */
@@ -182,6 +190,8 @@ export type AroundView = {
   after: string,
   /** The only places of the text that change, where the call is in the program. */
   edits: Array<Edit>,
+  /** Blocks that this control cannot have. */
+  absent: Array<AroundAbsent>,
 };
 
 /** A block that is wanted. */
@@ -606,6 +616,8 @@ export type Columns = {
   offers: Array<ColumnOffer>,
   /** The lines that are printed, with the values of the last measurement or of an example. */
   printed: Array<string>,
+  /** The last of them with the mark behind values that exceed a limit; empty: there is no mark, or no such value. */
+  marked: string,
   /** Values that do not fit their columns. */
   narrow: Array<Message>,
 };
@@ -1350,6 +1362,8 @@ export type FormRequest = {
   written?: Style,
   /** Call style of the snippet; absent: as the machine's forms have it, else direct. */
   style?: Style,
+  /** The measuring calls of the program, where the form is about a log: what it prints is named as these name it. */
+  measured?: Array<LoggedCall>,
   /** Whether to simulate. */
   predict?: boolean,
   /** Whether to look for the largest errors of the part that the call survives: takes a hundred runs. */
@@ -1602,6 +1616,14 @@ export type LineGroup = {
 
 /** What a group of lines is. */
 export type LineKind = "grid" | "edge" | "zone" | "limit" | "nominal" | "axisX" | "axisY" | "axisZ" | "beforeX" | "beforeY" | "beforeZ" | "dimension" | "size" | "anchor";
+
+/** A measuring call. */
+export type LoggedCall = {
+  /** Its cycle. */
+  cycle: string,
+  /** Number of its variant. */
+  variant: number,
+};
 
 /** The machine of a question. */
 export type Machine = OwnMachine | Setup;
@@ -2481,8 +2503,8 @@ export type ProtocolColumns = {
 export type ProtocolRequest = {
   /** The program and the machine. */
   run: RunRequest,
-  /** The protocol. */
-  protocol: string,
+  /** The files of the protocol in their order: a log goes on in files that follow. */
+  protocol: Array<string>,
   /** What stands in which column; absent: the figures of a line tell it. */
   columns?: ProtocolColumns,
 };
@@ -2503,8 +2525,13 @@ export type ProtocolView = {
   unfit: Array<UnfitLine>,
   /** How the faces that were touched lie, in their order. */
   arrows: Array<Arrow>,
-  /** Fields of the first line of the protocol: names of its columns, where it is a table. */
+  /**
+   * Fields of the line with the headings, else of the first line of the protocol: names of its columns, where it is
+   * a table.
+   */
   heads: Array<string>,
+  /** What stands in which column, each by its number, where nobody chose it and the headings tell it. */
+  recognised: ProtocolColumns,
 };
 
 /** Where a cycle belongs. */
@@ -2770,6 +2797,8 @@ export type ResultScreen = {
   rows: Array<ScreenRow>,
   /** Single values below, in the order of the manual's list. */
   values: Array<ScreenValue>,
+  /** Decimals of its values: `_DIGIT`, the display precision (B:11443, B:13174). */
+  digits: number,
   /** How long it is shown. */
   until: ScreenUntil,
   /** Index of the entry of the trace with which it appears. */
@@ -2932,6 +2961,8 @@ export type RunView = {
   decisions: Array<RunDecision>,
   /** What is different afterwards. */
   changes: Array<Change>,
+  /** Where it waits for NC START: M0, a text of the operator that halts. */
+  waits?: Array<RunWait>,
   /** The alarms in order. */
   alarms: Array<RunAlarm>,
   /** Lines of the print-out, and blocks that were sent. */
@@ -2952,6 +2983,14 @@ export type RunView = {
   about: RecordAbout,
   /** Of a program that came without a machine: what was assumed. */
   assumed?: RunAssumed,
+};
+
+/** A halt of a run. */
+export type RunWait = {
+  /** Index of the entry of the trace. */
+  at: number,
+  /** What the operator reads: the last text, `M0` where there is none. */
+  text: string,
 };
 
 /** Which surface is scanned, and how. */
@@ -3238,6 +3277,8 @@ export type SeriesCall = {
   verdicts: Array<SeriesShare>,
   /** In production: what would have followed had no part been corrected. */
   uncorrected?: Array<SeriesShare>,
+  /** Weight of its mean value, where it keeps one. */
+  weight?: SeriesWeight,
   /** Mean and empirical value after each run, where the call has a memory for them. */
   memories?: Array<SeriesMemory>,
   /** Line of the call, from 1. */
@@ -3328,6 +3369,20 @@ export type SeriesFigure = {
   max: number,
 };
 
+/** A correction that reaches the next part. */
+export type SeriesFollow = {
+  /** What it changes: name of a variation. */
+  what: string,
+  /** The datum that is corrected: `$TC_DP15[20,1]`. */
+  variable: string,
+  /** What one unit more of it adds there. */
+  factor: number,
+  /** Frame, tool or register. */
+  target: Message,
+  /** Axis, length or radius: `X`, `L1`, `R`. */
+  part: string,
+};
+
 /** A memory of the control over the first runs. */
 export type SeriesMemory = {
   /** As a program would name it: `_MV[0]`. */
@@ -3348,6 +3403,18 @@ export type SeriesName = {
   label: Message,
   /** Which part of those on the machine, from 1; absent: it is of the probe. */
   part?: number,
+};
+
+/** A variation that is complete. */
+export type SeriesPreset = {
+  /** What it is, in words. */
+  label: Message,
+  /** The correction that it belongs to; absent: none. */
+  of?: SeriesFollow,
+  /** Which part of those on the machine, from 1; absent: all of them. */
+  part?: number,
+  /** The variation. */
+  vary: Vary,
 };
 
 /** A program to be run many times. */
@@ -3388,6 +3455,10 @@ export type SeriesStart = {
   series: Series,
   /** What can vary of its parts and probe. */
   names: Array<SeriesName>,
+  /** Corrections of the program that reach the next part. */
+  follows: Array<SeriesFollow>,
+  /** Variations that are complete: wear of a tool, a part that gets warm. */
+  presets: Array<SeriesPreset>,
   /** How to choose the limits of a correction, a paragraph each. */
   help: Array<Message>,
   /** The example of the manual. */
@@ -3408,6 +3479,14 @@ export type SeriesView = {
   calls: Array<SeriesCall>,
   /** Alarms and operator messages, each with the share of the runs in which it came. */
   alarms: Array<SeriesAlarm>,
+};
+
+/** The weight with which a call forms its mean value (B:1244-1263). */
+export type SeriesWeight = {
+  /** The parameter that has it. */
+  name: string,
+  /** Its value. */
+  value: number,
 };
 
 /**
@@ -3611,6 +3690,8 @@ export type Step = { "step": "motion",
 } | { "step": "alarm" } & Raised | { "step": "message",
   /** As it is shown. */
   text: string,
+  /** Whether the program waits for NC START. */
+  waits?: boolean,
 } | { "step": "log",
   /** As it is written. */
   text: string,
@@ -3832,7 +3913,9 @@ export type TwinView = {
 
 /** A line of a protocol that fits no call. */
 export type UnfitLine = {
-  /** Number of the line, from 1. */
+  /** Index of the file. */
+  file: number,
+  /** Number of the line in it, from 1. */
   line: number,
   /** What stands in it, shortened. */
   text: string,
@@ -3939,8 +4022,8 @@ export type VariantInfo = {
 export type Vary = {
   /**
    * Member of the file: `workpiece[0].errors.size`, `.taper`, `.shift[0]`, `.tilt[2]`, `.outOfRound[0]`;
-   * `probe.radius`, `.length`, `.delay`, `.skew[0]`, `.preTravel[0]`; a datum or a tool or frame variable as
-   * `data._WP[0,1]`, `data.$TC_DP3[9,1]`.
+   * `temperature.part`, K, by which the part is warmer; `probe.radius`, `.length`, `.delay`, `.skew[0]`,
+   * `.preTravel[0]`; a datum or a tool or frame variable as `data._WP[0,1]`, `data.$TC_DP3[9,1]`.
    */
   what: string,
   /** How it is spread. */

@@ -90,3 +90,7 @@ around-wrong-limit = { $value } ist keine Grenze: eine Zahl ab 0 eingeben.
 around-wrong-whole = Eine ganze Zahl von { $min } bis { $max } eingeben.
 around-wrong-name = { $value } ist kein freier Name: Buchstaben, Ziffern und _ verwenden, kein Wort der Steuerung.
 around-wrong-twice = { $value } wird schon vor der Messung aufgerufen.
+around-absent-breakage = Das Werkzeugmakro korrigiert das Korrekturregister selbst und meldet keine Abweichung, die ein Programm vergleichen könnte.
+around-absent-message = Das NCT-Handbuch kennt keine Anweisung, die einen Text zeigt und das Programm weiterlaufen lässt; #3006 zeigt einen und hält an.
+around-absent-mean = Welche M-Funktion die Spindel um 180° dreht, legt der Maschinenhersteller fest (#510).
+around-absent-log = Das NCT-Handbuch kennt keine Anweisung, die eine Datei schreibt. Das Makro druckt sein Ergebnis selbst: W=1 oder W=2 im Aufruf, Parameter 9143 auf 1.

@@ -32,6 +32,7 @@ evaluate-screen = Die Steuerung zeigt das Messergebnisbild, bis der Zyklus endet
 evaluate-screen-stays = Die Steuerung zeigt das Messergebnisbild bis zum Aufruf des nächsten Messzyklus; das Programm läuft weiter.
 evaluate-screen-halt = Die Steuerung zeigt das Messergebnisbild. Programmierter Halt (M0): Weiter mit NC START.
 evaluate-log-full = Das Protokoll { $file } und seine neun Folgedateien sind voll und nehmen nichts mehr auf. Die Steuerung hält an und verlangt einen neuen Namen in _PROTNAME[1].
+evaluate-log-deleted = Das Protokoll { $file } dieses Laufs wird neu begonnen: Seine { $lines } Zeilen werden gelöscht.
 evaluate-log-none = Vor diesem Aufruf wurde kein Protokoll begonnen: CYCLE105 schreibt nichts. CYCLE100 beginnt ein Protokoll.
 # Was ein Aufruf mit Daten der Maschine tut, bevor er misst.
 check-erases = _CBIT[13]=1: Dieser Aufruf setzt zuerst _TP[], _TPW[], _WP[], _KB[], _EV[], _MV[] und das Bit selbst auf 0.
@@ -93,3 +94,4 @@ screen-difference = Differenz
 screen-until-end = Sichtbar, bis der Zyklus endet.
 screen-until-start = Wartet auf NC START: Messergebnisbild quittieren.
 screen-until-next = Sichtbar bis zum Aufruf des nächsten Messzyklus.
+screen-waits = Das Programm wartet auf NC START.

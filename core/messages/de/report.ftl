@@ -79,6 +79,7 @@ terminal-twice = { $name } ist zweimal angegeben
 terminal-around = { $cycle } hat hier keinen Baustein { $name }; es gibt: { $known }
 terminal-around-field = Baustein { $name } hat kein Feld { $field }
 terminal-around-problem = { $name }: { $problem }
+terminal-around-found = um den Aufruf: { $title } [{ $name }] { $values }
 terminal-pair = Nicht in der Form NAME=WERT: { $text }
 terminal-alarm = Es gibt keinen Alarm und keine Meldung { $name }
 terminal-name = Kein Zyklus, keine Variable, keine Meldung und kein Alarm hat diesen Namen: { $name }
@@ -88,6 +89,8 @@ terminal-surface = Die Maschineneinrichtung enthält keine Freiformfläche, die 
 terminal-more = Weitere Meldungen: { $count }
 terminal-raised = Alarm { $alarm }
 terminal-log = Ausgabe
+terminal-message = Meldung: { $text }
+terminal-waits = { $text }: wartet auf NC START
 terminal-log-left = Datei { $name }, Zeilen: { $lines }; --log ORDNER speichert sie
 terminal-log-written = Datei geschrieben: { $path }, Zeilen: { $lines }
 terminal-log-exists = { $path } ist schon vorhanden und wurde nicht überschrieben: Datei löschen oder anderen Ordner angeben
@@ -147,6 +150,7 @@ terminal-test-passed = ok
 terminal-test-failed = FEHLER
 terminal-test-held = Bestanden: { $good } von { $count }
 terminal-test-none = in diesem Ordner liegen weder scenario.json noch Dateien mit der Endung .scenario.json
+terminal-test-others = { $path }: nicht ausgeführt, da der Name nicht auf scenario.json endet: { $files }
 terminal-check-setup-text = Datei mit der Maschineneinrichtung, mit Werkzeugen und Daten; ohne Angabe die Standardmaschine
 terminal-cycle-text = Name des Zyklus, zum Beispiel CYCLE977
 terminal-values-text = Werte, zum Beispiel _SETVAL=132
@@ -157,7 +161,7 @@ terminal-print-text = Datei für den Ausdruck: was die Adressen V und W der NCT-
 terminal-log-text = Ordner für Messprotokolle und für Dateien, die das Programm schreibt; vorhandene Dateien werden nicht überschrieben
 terminal-record-text = Datei für das Protokoll aller Messungen: Tabelle (.csv) oder Dokument (.json, siehe docs/record.schema.json)
 terminal-record-ending = das Protokoll wird als .csv oder .json geschrieben: eine dieser Endungen wählen
-terminal-measured-text = Protokoll einer wirklichen Maschine: Messprotokoll der Steuerung oder Tabelle; die Werte werden den Aufrufen des Programms zugeordnet, und --record schreibt das Protokoll aus ihnen
+terminal-measured-text = Protokoll einer wirklichen Maschine: Messprotokoll der Steuerung oder Tabelle; für jede Folgedatei erneut angeben. Die Werte werden den Aufrufen des Programms zugeordnet, und --record schreibt das Protokoll aus ihnen
 terminal-columns-text = Spalten dieser Tabelle, zum Beispiel actual=Istmaß nominal=3; Namen: number, line, result, nominal, actual, deviation
 terminal-column = keine Spalte eines Protokolls: { $text }; zum Beispiel actual=3
 terminal-surface-text = Fläche statt der in der Maschineneinrichtung, in derselben Größe: PNG-Bild (Weiß ist am höchsten), dome, waves, saddle oder step; eine STL-Datei behält ihre Größe

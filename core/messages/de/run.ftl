@@ -15,6 +15,14 @@ run-label = Sprungmarke oder Satz „{ $word }“ wurde nicht gefunden.
 run-unmatched = Zu „{ $word }“ fehlt das Gegenstück.
 run-log-on = Das Protokoll „{ $word }“ ist am Programmende noch eingeschaltet: Es nimmt weitere Messungen auf und lässt sich nicht auslesen.
 run-log-on-hint = Nach der letzten Messung CYCLE101 aufrufen.
+run-log-deleted = Das Protokoll { $file } beginnt neu: Seine { $lines } Zeilen aus diesem Programm werden gelöscht.
+run-log-deleted-hint = Ein Protokoll für alle Messungen verwenden oder jedem in _PROTNAME[1] einen eigenen Namen geben.
+run-log-full = Das Protokoll { $file } und seine neun Folgedateien sind voll: Die Steuerung hält an, spätere Werte fehlen.
+run-log-full-hint = Vorher in _PROTNAME[1] einen anderen Namen angeben, weniger Werte protokollieren oder MD 11420 erhöhen.
+run-screen-empty = { $word } zeigt das Messergebnisbild, doch davor wurde nichts gemessen: Das Bild bleibt leer.
+run-screen-empty-hint = Nach dem Messzyklus aufrufen; heute zeigt _CHBIT[10]=1 das Bild nach jeder Messung.
+run-dialogue = { $word } fragte hier den Bediener nach Werten (bis SW 4.5). Der Lauf nimmt die des Programms.
+run-dialogue-hint = Die Werte vor dem Messaufruf schreiben; neuere Zyklen brauchen diesen Aufruf nicht.
 run-subprogram = Nicht vorhanden, Wirkung daher nicht bekannt: { $word }. Der Lauf übergeht solche Aufrufe.
 run-depth = Aufrufe sind tiefer als { $limit } Ebenen geschachtelt.
 run-steps = Kein Ende; gezählte Sätze: { $limit } (lange Sätze, große Felder, Bewegungen in Schleifen mehrfach). Nach Endlosschleife suchen.
@@ -114,6 +122,7 @@ supply-parts = Werkstücke des Programms aufspannen
 # Szenarien: worin ein Lauf von der Erwartung abweicht.
 
 scenario-file = { $path }: Die Datei { $name } fehlt
+scenario-cure = Die Datei an dieser Stelle berichtigen oder das Programm neu als Szenario speichern.
 scenario-variable = { $path }: Werkzeug- oder Framedaten { $name } gibt es nicht
 scenario-replace = „{ $text }“ steht nicht im Programm.
 scenario-fault = diesem Fehler

@@ -33,3 +33,6 @@ series-choose-order = Wählen Sie _TZL < _TMV < Toleranzgrenzen < _TDIF < _TSA. 
 series-choose-tzl = _TZL, Nullkorrektur: größer als die Streuung von Messung und Prozess. Darunter wird nichts korrigiert, nur der Mittelwert läuft weiter.
 series-choose-tmv = _TMV: etwa zwei Drittel der Toleranz. Eine größere Abweichung wird sofort und ganz korrigiert und löscht den Mittelwertspeicher.
 series-choose-k = _K, Wichtungsfaktor: 1 korrigiert jede Abweichung über _TZL ganz und folgt dem Zufall. 3 bis 10 folgen einem Trend langsamer, und ein einzelnes Teil verstellt das Werkzeug nicht.
+series-warmth = Temperatur des Werkstücks, K
+series-wear = Werkzeugverschleiß von Teil zu Teil
+series-warms = Werkstück wird von Teil zu Teil wärmer

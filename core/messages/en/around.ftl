@@ -90,3 +90,7 @@ around-wrong-limit = { $value } is no limit: enter a number of 0 or more.
 around-wrong-whole = Enter a whole number from { $min } to { $max }.
 around-wrong-name = { $value } is no free name: use letters, digits and _, and no word of the control.
 around-wrong-twice = { $value } is already called before the measurement.
+around-absent-breakage = The tool macro corrects the offset register itself and reports no deviation that a program could compare.
+around-absent-message = The NCT manual has no statement that shows a text and lets the program continue; #3006 shows one and halts.
+around-absent-mean = Which M function turns the spindle by 180° is set by the machine builder (#510).
+around-absent-log = The NCT manual has no statement that writes a file. The macro prints its result itself: W=1 or W=2 in the call, parameter 9143 set to 1.

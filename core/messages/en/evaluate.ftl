@@ -32,6 +32,7 @@ evaluate-screen = The control shows the measuring result screen until the cycle 
 evaluate-screen-stays = The control shows the measuring result screen until the next measuring cycle is called; the program continues.
 evaluate-screen-halt = The control shows the measuring result screen. Programmed stop (M0): the operator continues with NC START.
 evaluate-log-full = The log { $file } and its nine continuation files are full: nothing more is logged. The control stops and requests a new name in _PROTNAME[1].
+evaluate-log-deleted = The log { $file } of this run is started again: its { $lines } lines are deleted.
 evaluate-log-none = No log was started before this call: CYCLE105 prints nothing. CYCLE100 starts a log.
 # What a call does with data of the machine before it measures.
 check-erases = _CBIT[13]=1: this call first sets _TP[], _TPW[], _WP[], _KB[], _EV[], _MV[] and the bit itself to 0.
@@ -93,3 +94,4 @@ screen-difference = Difference
 screen-until-end = Shown until the cycle ends.
 screen-until-start = Waits for NC START: acknowledge the measuring result screen.
 screen-until-next = Shown until the next measuring cycle is called.
+screen-waits = The program waits for NC START.

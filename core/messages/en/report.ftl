@@ -83,6 +83,7 @@ terminal-twice = { $name } is specified twice
 terminal-around = { $cycle } has no block { $name } here; there are: { $known }
 terminal-around-field = block { $name } has no field { $field }
 terminal-around-problem = { $name }: { $problem }
+terminal-around-found = around the call: { $title } [{ $name }] { $values }
 terminal-pair = not NAME=VALUE: { $text }
 terminal-alarm = there is no alarm or message { $name }
 terminal-name = no cycle, data item, finding or alarm has this name: { $name }
@@ -92,6 +93,8 @@ terminal-surface = the setup has no free surface that could be replaced
 terminal-more = More findings: { $count }
 terminal-raised = alarm { $alarm }
 terminal-log = output
+terminal-message = message: { $text }
+terminal-waits = { $text }: waits for NC START
 terminal-log-left = File { $name }, lines: { $lines }; --log FOLDER saves it
 terminal-log-written = File written: { $path }, lines: { $lines }
 terminal-log-exists = { $path } exists already and was not overwritten: delete it, or specify another folder
@@ -151,6 +154,7 @@ terminal-test-passed = ok
 terminal-test-failed = FAILED
 terminal-test-held = Passed: { $good } of { $count }
 terminal-test-none = no scenario.json and no file with the ending .scenario.json in this folder
+terminal-test-others = { $path }: not run, since the name does not end in scenario.json: { $files }
 terminal-check-setup-text = Setup file of the machine, with its tools and data; without it, the default machine
 terminal-cycle-text = Name of the cycle, for example CYCLE977
 terminal-values-text = Values, for example _SETVAL=132
@@ -161,7 +165,7 @@ terminal-print-text = File for the printout: what addresses V and W of NCT macro
 terminal-log-text = Folder for measurement logs and for files that the program writes; existing files are not overwritten
 terminal-record-text = File for the record of all measurements: a table (.csv) or a document (.json, see docs/record.schema.json)
 terminal-record-ending = the record is written as .csv or .json: choose one of these endings
-terminal-measured-text = Protocol of a real machine: the log of the control or a table; its values are laid onto the calls of the program, and the record is that of these values
+terminal-measured-text = Protocol of a real machine: the log of the control or a table; repeat it for each file of a log that goes on. Its values are laid onto the calls of the program, and the record is that of these values
 terminal-columns-text = Columns of this table, for example actual=Measured nominal=3; names: number, line, result, nominal, actual, deviation
 terminal-column = not a column of a protocol: { $text }; for example actual=3
 terminal-surface-text = Surface instead of the one in the setup file, of the same size: a PNG picture (white is highest), dome, waves, saddle or step; an STL file keeps its size

@@ -15,6 +15,14 @@ run-label = Label or block “{ $word }” was not found.
 run-unmatched = “{ $word }” has no matching counterpart.
 run-log-on = The log “{ $word }” is still on at the program end: later measurements go into it, and it cannot be read out.
 run-log-on-hint = Call CYCLE101 after the last measurement.
+run-log-deleted = The log { $file } starts again: its { $lines } lines from this program are deleted.
+run-log-deleted-hint = Use one log for all measurements, or give each its own name in _PROTNAME[1].
+run-log-full = The log { $file } and its nine continuation files are full: the control halts, later values are lost.
+run-log-full-hint = Set another name in _PROTNAME[1] before, log fewer values, or raise MD 11420.
+run-screen-empty = { $word } shows the measuring result screen, but nothing has been measured before it: the screen stays empty.
+run-screen-empty-hint = Call it after the measuring cycle; today _CHBIT[10]=1 shows the screen after each measurement.
+run-dialogue = { $word } asked the operator for values here (up to SW 4.5). The run takes those of the program.
+run-dialogue-hint = Write the values in front of the measuring call; newer cycles do not need this call.
 run-subprogram = Not found, so the effect is not known: { $word }. The run skips such calls.
 run-depth = Calls are nested deeper than { $limit } levels.
 run-steps = No end after { $limit } blocks (long ones, arrays, motions in loops count several times). Look for an endless loop.
@@ -114,6 +122,7 @@ supply-parts = Set up the parts of the program
 # Scenarios: how a run differs from the expectation.
 
 scenario-file = { $path }: the file { $name } is missing
+scenario-cure = Correct the file at this place, or save the program as a scenario again.
 scenario-variable = { $path }: there are no tool or frame data { $name }
 scenario-replace = “{ $text }” is not in the program.
 scenario-fault = this fault

@@ -33,3 +33,6 @@ series-choose-order = Choose _TZL < _TMV < tolerance limits < _TDIF < _TSA. Then
 series-choose-tzl = _TZL, zero compensation area: set it above the scatter of measurement and process. Below it nothing is corrected, only the mean value goes on.
 series-choose-tmv = _TMV: about two thirds of the tolerance. A larger deviation is corrected at once and whole, and empties the mean value memory.
 series-choose-k = _K, weight of the mean value: 1 corrects each deviation above _TZL whole and follows chance. 3 to 10 follow a trend more slowly and keep single parts from moving the tool.
+series-warmth = Temperature of the part, K
+series-wear = Tool wear from part to part
+series-warms = Part gets warmer from part to part

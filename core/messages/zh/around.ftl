@@ -90,3 +90,7 @@ around-wrong-limit = { $value } 不是极限：输入不小于 0 的数。
 around-wrong-whole = 输入 { $min } 到 { $max } 的整数。
 around-wrong-name = { $value } 不是可用的名称：使用字母、数字和 _，不能是系统的字。
 around-wrong-twice = { $value } 在测量前已被调用。
+around-absent-breakage = 刀具宏程序自行修正补偿寄存器，不提供程序可比较的偏差。
+around-absent-message = NCT 手册中没有显示文本而程序继续运行的语句；#3006 显示文本并停止。
+around-absent-mean = 使主轴旋转 180° 的 M 功能由机床制造商决定（#510）。
+around-absent-log = NCT 手册中没有写入文件的语句。宏程序自行打印结果：调用中 W=1 或 W=2，参数 9143 设为 1。

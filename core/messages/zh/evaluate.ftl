@@ -33,6 +33,7 @@ evaluate-screen = 控制系统显示测量结果画面，直到循环结束。
 evaluate-screen-stays = 控制系统显示测量结果画面，直到调用下一个测量循环；程序继续。
 evaluate-screen-halt = 控制系统显示测量结果画面。编程停止（M0）：操作者按 NC START 继续。
 evaluate-log-full = 测量记录 { $file } 及其九个后续文件都已写满，不再写入。控制系统停止，要求在 _PROTNAME[1] 中输入新的名称。
+evaluate-log-deleted = 本次运行的测量记录 { $file } 重新开始：已有的 { $lines } 行被删除。
 evaluate-log-none = 此调用之前没有开始测量记录：CYCLE105 不写入任何内容。CYCLE100 可开始测量记录。
 # 调用在测量之前对机床的数据所做的处理。
 check-erases = _CBIT[13]=1：此调用先将 _TP[]、_TPW[]、_WP[]、_KB[]、_EV[]、_MV[] 和该位本身设为 0。
@@ -94,3 +95,4 @@ screen-difference = 差值
 screen-until-end = 显示到循环结束。
 screen-until-start = 等待 NC START：请确认测量结果画面。
 screen-until-next = 显示到调用下一个测量循环。
+screen-waits = 程序等待 NC START。

@@ -79,6 +79,7 @@ terminal-twice = { $name } 重复给出
 terminal-around = { $cycle } 在此没有程序块 { $name }；可用：{ $known }
 terminal-around-field = 程序块 { $name } 没有字段 { $field }
 terminal-around-problem = { $name }：{ $problem }
+terminal-around-found = 调用前后：{ $title } [{ $name }] { $values }
 terminal-pair = 不是 NAME=VALUE 的形式：{ $text }
 terminal-alarm = 没有报警或信息 { $name }
 terminal-name = 没有这个名称的循环、数据、检查结果或报警：{ $name }
@@ -88,6 +89,8 @@ terminal-surface = 机床配置中没有可替换的自由曲面
 terminal-more = 另有 { $count } 条检查结果
 terminal-raised = 报警 { $alarm }
 terminal-log = 输出
+terminal-message = 信息：{ $text }
+terminal-waits = { $text }：等待 NC START
 terminal-log-left = 文件 { $name }，{ $lines } 行；可用 --log 文件夹 保存
 terminal-log-written = 已写入文件：{ $path }，{ $lines } 行
 terminal-log-exists = { $path } 已存在，未覆盖：请删除它，或指定另一个文件夹
@@ -147,6 +150,7 @@ terminal-test-passed = 通过
 terminal-test-failed = 不符
 terminal-test-held = 通过：{ $good } / { $count }
 terminal-test-none = 此文件夹中没有 scenario.json，也没有以 .scenario.json 结尾的文件
+terminal-test-others = { $path }：文件名不以 scenario.json 结尾，未运行：{ $files }
 terminal-check-setup-text = 机床配置文件，包括刀具和数据；省略时用默认机床
 terminal-cycle-text = 循环名称，例如 CYCLE977
 terminal-values-text = 参数值，例如 _SETVAL=132
@@ -157,7 +161,7 @@ terminal-print-text = 打印输出文件：NCT 宏程序的地址 V 和 W 所打
 terminal-log-text = 存放测量记录和程序所写文件的文件夹；不覆盖已有文件
 terminal-record-text = 存放全部测量结果报告的文件：表格（.csv）或文档（.json，见 docs/record.schema.json）
 terminal-record-ending = 测量报告只能写成 .csv 或 .json：请选用其中一种扩展名
-terminal-measured-text = 真实机床的测量记录：控制系统的记录文件或表格；其数值与程序的调用逐一对应，报告由这些数值生成
+terminal-measured-text = 真实机床的测量记录：控制系统的记录文件或表格；每个后续文件重复指定一次。其数值与程序的调用逐一对应，报告由这些数值生成
 terminal-columns-text = 该表格的列，例如 actual=实测 nominal=3；名称：number、line、result、nominal、actual、deviation
 terminal-column = 不是测量记录的列：{ $text }；例如 actual=3
 terminal-surface-text = 代替机床配置中的曲面，大小相同：PNG 图片（白色最高）、dome、waves、saddle 或 step；STL 文件保持自身大小

@@ -15,6 +15,14 @@ run-label = 没有找到标记或程序段“{ $word }”。
 run-unmatched = “{ $word }”没有与之配对的语句。
 run-log-on = 程序结束时测量记录“{ $word }”仍处于接通状态：以后的测量也写入其中，文件不能读出。
 run-log-on-hint = 请在最后一次测量之后调用 CYCLE101。
+run-log-deleted = 测量记录 { $file } 重新开始：本程序已写入的 { $lines } 行被删除。
+run-log-deleted-hint = 所有测量共用一个记录，或在 _PROTNAME[1] 中为每个记录指定不同的名称。
+run-log-full = 测量记录 { $file } 及其九个后续文件已写满：控制系统停止，此后的数值丢失。
+run-log-full-hint = 请在此之前为 _PROTNAME[1] 指定其他名称，减少记录的数值，或增大 MD 11420。
+run-screen-empty = { $word } 显示测量结果画面，但在此之前没有测量：画面为空。
+run-screen-empty-hint = 请在测量循环之后调用；如今 _CHBIT[10]=1 在每次测量后显示该画面。
+run-dialogue = { $word } 在此要求操作者输入数值（至 SW 4.5）。本次运行采用程序中的数值。
+run-dialogue-hint = 请在测量调用之前写入数值；较新的循环不需要此调用。
 run-subprogram = 没有找到 { $word }，其作用未知；运行时跳过此类调用。
 run-depth = 调用嵌套超过 { $limit } 层。
 run-steps = 程序在 { $limit } 个程序段内没有结束（长程序段、数组以及程序循环中的运动按多段计），可能是死循环。
@@ -114,6 +122,7 @@ supply-parts = 装夹程序所需的工件
 # 场景：运行结果与预期的差异。
 
 scenario-file = { $path }：缺少文件 { $name }
+scenario-cure = 请在该处更正文件，或将程序重新存储为场景。
 scenario-variable = { $path }：没有刀具数据或框架数据 { $name }
 scenario-replace = 程序中没有“{ $text }”。
 scenario-fault = 以下错误

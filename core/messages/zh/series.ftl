@@ -33,3 +33,6 @@ series-choose-order = 按 _TZL < _TMV < 公差限 < _TDIF < _TSA 选择，使每
 series-choose-tzl = _TZL（零补偿区）：大于测量和加工的分散。低于此值时不补偿，只更新平均值。
 series-choose-tmv = _TMV：约为公差的三分之二。偏差更大时立即全额补偿，并清除平均值存储器。
 series-choose-k = _K（平均值加权系数）：取 1 时，超过 _TZL 的偏差全部补偿，会跟随偶然误差。取 3 到 10 时较慢地跟随趋势，单个工件不会改变刀具补偿。
+series-warmth = 工件温度，K
+series-wear = 逐件刀具磨损
+series-warms = 工件逐件升温

@@ -9,7 +9,7 @@ use crate::dialect::Dialect;
 use crate::entry::{Inputs, Typed};
 use crate::message::Message;
 use crate::program::around::{
-    Around, Block, Field, Kind, blocks, choices, found, inputs_at, preset, problem, revise, write,
+    Around, Block, Field, Kind, absent, blocks, choices, completed, found, inputs_at, preset, problem, revise, write,
 };
 use crate::program::calls::calls_on;
 use crate::syntax;
@@ -71,6 +71,18 @@ pub struct AroundView {
     pub after: String,
     /// The only places of the text that change, where the call is in the program.
     pub edits: Vec<Edit>,
+    /// Blocks that this control cannot have.
+    pub absent: Vec<AroundAbsent>,
+}
+
+/// A block that a control cannot have.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct AroundAbsent {
+    /// Key of its title.
+    pub key: String,
+    /// Key of the sentence that says why.
+    pub why: &'static str,
 }
 
 /// A block.
@@ -125,8 +137,8 @@ pub fn around(asked: AroundRequest) -> Result<AroundView, Error> {
         let cycle = cycle(dialect, &asked.cycle)?;
         let inputs = check::read(cycle, &asked.values, &control, &mut Vec::new());
         let wanted = wanted(&asked.wanted.unwrap_or_default());
-        let mut view = view(dialect, &inputs, &wanted);
         let mut taken = String::from_utf8_lossy(whole.text()).into_owned();
+        let mut view = view(dialect, &inputs, &wanted, &taken);
         for (block, one) in chosen(dialect, &inputs, &wanted) {
             let lines = write(block, &one.values, &inputs, &taken, &words, asked.comments);
             taken = taken + &lines.before + &lines.after;
@@ -141,7 +153,7 @@ pub fn around(asked: AroundRequest) -> Result<AroundView, Error> {
     let inputs = inputs_at(site, &control);
     let there = || found(&program, site, &inputs).iter().map(|one| of(one.block.name, &one.values())).collect();
     let wanted = asked.wanted.as_deref().map_or_else(there, wanted);
-    let mut view = view(dialect, &inputs, &wanted);
+    let mut view = view(dialect, &inputs, &wanted, &String::from_utf8_lossy(whole.text()));
     let made = revise(&program, site, &wanted, &inputs, &words, asked.comments);
     view.edits = edits(&made, &Positions::new(&program.source));
     Ok(view)
@@ -160,12 +172,15 @@ fn chosen<'a>(dialect: Dialect, inputs: &Inputs, wanted: &'a [Around]) -> Vec<(&
     blocks(dialect).iter().rev().filter_map(of).filter(right).collect()
 }
 
-fn view(dialect: Dialect, inputs: &Inputs, wanted: &[Around]) -> AroundView {
+/// `text`: that of the program, whose names are not used again.
+fn view(dialect: Dialect, inputs: &Inputs, wanted: &[Around], text: &str) -> AroundView {
+    let taken = text.to_ascii_uppercase();
     let shown = blocks(dialect).iter().filter_map(|block| {
         let own = wanted.iter().find(|one| one.name == block.name);
         let suits = block.suits(inputs);
         let values = own.map_or_else(Typed::new, |one| one.values.clone());
-        let fields = || block.fields.iter().map(|one| field(block, one, &values, inputs)).collect();
+        let free = completed(block, &Typed::new(), &taken);
+        let fields = || block.fields.iter().map(|one| field(block, one, (&values, &free), inputs)).collect();
         (suits || own.is_some()).then(|| AroundBlock {
             name: block.name,
             key: block.key(),
@@ -175,15 +190,23 @@ fn view(dialect: Dialect, inputs: &Inputs, wanted: &[Around]) -> AroundView {
             says: block.says(),
         })
     });
-    AroundView { blocks: shown.collect(), before: String::new(), after: String::new(), edits: Vec::new() }
+    let blocks = shown.collect();
+    let absent = absent(dialect).iter().map(|one| AroundAbsent { key: format!("around-{}", one.name), why: one.why });
+    AroundView { blocks, before: String::new(), after: String::new(), edits: Vec::new(), absent: absent.collect() }
 }
 
-fn field(block: &'static Block, field: &'static Field, values: &Typed, inputs: &Inputs) -> AroundField {
+/// `free`: what counts of a field where nothing is entered, so that it differs from what the program has.
+fn field(
+    block: &'static Block,
+    field: &'static Field,
+    (values, free): (&Typed, &Typed),
+    inputs: &Inputs,
+) -> AroundField {
     AroundField {
         name: field.name,
         key: field.key(),
         value: values.get(field.name).cloned().unwrap_or_default(),
-        preset: preset(field, inputs),
+        preset: free.get(field.name).cloned().unwrap_or_else(|| preset(field, inputs)),
         text: matches!(field.kind, Kind::Text),
         choices: choices(field, inputs).into_iter().map(|(value, key)| [value, key]).collect(),
         problem: problem(block, field, values, inputs),

@@ -104,7 +104,7 @@ fn left(outcome: &Outcome, dialect: Dialect, number: u32) -> f64 {
 
 fn messages(outcome: &Outcome) -> Vec<String> {
     let steps = outcome.trace.entries.others().map(|other| other.step);
-    steps.filter_map(|step| if let Step::Message { text } = step { Some(text.clone()) } else { None }).collect()
+    steps.filter_map(|step| if let Step::Message { text, .. } = step { Some(text.clone()) } else { None }).collect()
 }
 
 fn codes(view: &ReadView) -> Vec<String> {

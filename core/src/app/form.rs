@@ -10,13 +10,15 @@ use super::supply::{Supply, corrected};
 use super::twin::{TwinView, twins};
 use super::unsimulated;
 use super::{Error, choose_units, cycle};
+use crate::catalogue::find;
 use crate::check::{Checked, Parsed, expression, newer, parse, variants};
 use crate::control::{Control, GENERATION, MachineSort, OF_LISTS, Plane, Transverse, UnitFunction};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::dialect::Dialect;
-use crate::entry::{ArgumentList, Cycle, Kind, Style, Typed, names};
+use crate::entry::{ArgumentList, Cycle, Inputs, Kind, Style, Typed, names};
 use crate::form::{Chain, Field};
 use crate::machine::Setup;
+use crate::message::Message;
 use crate::name::Name;
 use crate::picture::Picture;
 use crate::program::write::{self, Values, snippet_of};
@@ -24,6 +26,7 @@ use crate::scene::Source;
 use crate::support::{Before, Support};
 use crate::{check, form, own, support};
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeSet;
 
 /// What a form is asked for.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
@@ -60,6 +63,10 @@ pub struct FormRequest {
     pub written: Option<Style>,
     /// Call style of the snippet; absent: as the machine's forms have it, else direct.
     pub style: Option<Style>,
+    /// The measuring calls of the program, where the form is about a log: what it prints is named as these name it.
+    #[serde(default)]
+    #[cfg_attr(test, ts(optional, as = "Option<Vec<LoggedCall>>"))]
+    pub measured: Vec<LoggedCall>,
     /// Whether to simulate.
     #[serde(default)]
     #[cfg_attr(test, ts(optional, as = "Option<bool>"))]
@@ -72,6 +79,16 @@ pub struct FormRequest {
     #[serde(default)]
     #[cfg_attr(test, ts(optional, as = "Option<bool>"))]
     pub twin: bool,
+}
+
+/// A measuring call.
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct LoggedCall {
+    /// Its cycle.
+    pub cycle: String,
+    /// Number of its variant.
+    pub variant: i64,
 }
 
 /// A form.
@@ -181,6 +198,7 @@ pub fn form(mut asked: FormRequest) -> Result<FormView, Error> {
         view.fields.extend(form::of_list(list, &values, control));
         form::name_arguments(list, &mut view.fields);
     }
+    name_columns(&mut view.fields, asked.control, &asked.measured);
     for field in &mut view.fields {
         field.written = pointed.get(field.name.as_str()).cloned();
     }
@@ -216,6 +234,29 @@ pub fn form(mut asked: FormRequest) -> Result<FormView, Error> {
     view.calibrated = Some(setup.calibration_fits(probe_of(&inputs)));
     view.setup = Some(setup);
     Ok(view)
+}
+
+/// Names columns that show a result as the measuring calls name it, where they agree.
+fn name_columns(fields: &mut [Field], dialect: Dialect, measured: &[LoggedCall]) {
+    let calls = measured.iter().filter_map(|one| Some(Inputs::new(find(dialect, &one.cycle)?, one.variant)));
+    let calls: Vec<Inputs> = calls.collect();
+    let name = |text: &str| {
+        let of_call = |inputs: &Inputs| {
+            let mut results = inputs.cycle.results.iter();
+            Some(results.find(|one| one.name.eq_ignore_ascii_case(text) && one.when.holds(inputs))?.key)
+        };
+        let keys: BTreeSet<&str> = calls.iter().filter_map(of_call).collect();
+        keys.first().filter(|_| keys.len() == 1).map(|key| Message::new(*key))
+    };
+    for field in fields {
+        let Some(columns) = field.columns() else { continue };
+        for column in &mut columns.list {
+            column.label = name(&column.text).unwrap_or_else(|| column.label.clone());
+        }
+        for offer in &mut columns.offers {
+            offer.label = name(&offer.text).unwrap_or_else(|| offer.label.clone());
+        }
+    }
 }
 
 /// Brings to the core's own machine what the cycle needs: which probe that is may depend on the plane at the call.

@@ -58,7 +58,7 @@ pub use answer::{
     Answer, Band, BandKind, Correction, Figure, Gauge, Limited, Mark, Needle, Part, ResultScreen, ScreenRow,
     ScreenUntil, ScreenValue, Verdict,
 };
-pub use around::{AroundBlock, AroundField, AroundRequest, AroundView, Wanted as AroundWanted, around};
+pub use around::{AroundAbsent, AroundBlock, AroundField, AroundRequest, AroundView, Wanted as AroundWanted, around};
 pub use beside::{Beside, FileStart};
 pub use braking::{BrakingPath, BrakingRequest, BrakingView, braking};
 pub use catalogue::{AroundInfo, Catalogue, CycleInfo, ParameterInfo, Purpose, Values, VariantInfo, catalogue};
@@ -84,7 +84,7 @@ pub use encoding::Recognised;
 pub use equip::{CellText, EquipRequest, EquipView, EquipmentChange, EquipmentRows, RowOf, equip};
 pub use finding::{Cure, Edit, Finding, findings};
 pub use foreign::{ForeignCallView, ForeignFigure, ForeignLog, ForeignParameter, ForeignView, foreign};
-pub use form::{FormRequest, FormView, form};
+pub use form::{FormRequest, FormView, LoggedCall, form};
 pub use help::{HelpRequest, HelpResult, HelpSection, HelpText, HelpView, help};
 pub use jog::{JogLine, JogPoint, JogResult, JogView, JogWrong, jog};
 pub use machine::{MachineField, MachineGroup, MachineProblem, MachineRequest, MachineView, machine};
@@ -114,8 +114,9 @@ pub use scenario::{
     noted, scenario,
 };
 pub use series::{
-    Prepared, SeriesAlarm, SeriesCall, SeriesCorrection, SeriesExample, SeriesFigure, SeriesMemory, SeriesName,
-    SeriesRequest, SeriesShare, SeriesSpread, SeriesStart, SeriesView, series, series_csv, series_of, series_start,
+    Prepared, SeriesAlarm, SeriesCall, SeriesCorrection, SeriesExample, SeriesFigure, SeriesFollow, SeriesMemory,
+    SeriesName, SeriesPreset, SeriesRequest, SeriesShare, SeriesSpread, SeriesStart, SeriesView, SeriesWeight, series,
+    series_csv, series_of, series_start,
 };
 pub use start::{Beginning, Machine, OwnMachine};
 pub use story::{Story, story};

@@ -74,6 +74,10 @@ pub struct RunView {
     pub decisions: Vec<RunDecision>,
     /// What is different afterwards.
     pub changes: Vec<Change>,
+    /// Where it waits for NC START: M0, a text of the operator that halts.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(test, ts(optional, as = "Option<Vec<RunWait>>"))]
+    pub waits: Vec<RunWait>,
     /// The alarms in order.
     pub alarms: Vec<RunAlarm>,
     /// Lines of the print-out, and blocks that were sent.
@@ -154,6 +158,16 @@ pub struct RunDecision {
     /// By which call.
     #[serde(flatten)]
     pub call: OfCall,
+}
+
+/// A halt of a run.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct RunWait {
+    /// Index of the entry of the trace.
+    pub at: usize,
+    /// What the operator reads: the last text, `M0` where there is none.
+    pub text: String,
 }
 
 /// What a measuring call of a run came to.
@@ -294,6 +308,7 @@ impl RunView {
             answers: answers(&setup, &outcome),
             decisions: decisions(&outcome),
             changes: changes(&outcome),
+            waits: waits(&outcome),
             alarms: raised(&outcome),
             log: outcome.log().into_iter().map(str::to_owned).collect(),
             written: written(&outcome),
@@ -400,6 +415,24 @@ fn decisions(outcome: &Outcome) -> Vec<RunDecision> {
         _ => None,
     });
     decisions.collect()
+}
+
+/// Halts with the text that stands on the screen then: that of `MSG` stays until the next one.
+fn waits(outcome: &Outcome) -> Vec<RunWait> {
+    let mut last = "";
+    let halt = |text: &str| text.strip_prefix('M').is_some_and(|rest| rest.bytes().all(|one| one.is_ascii_digit()));
+    let halts = outcome.trace.entries.others().filter_map(|other| match other.step {
+        Step::Message { text, waits: true } => {
+            let text = if halt(text) && !last.is_empty() { last } else { text.as_str() };
+            Some(RunWait { at: other.at, text: text.to_owned() })
+        }
+        Step::Message { text, .. } if !halt(text) => {
+            last = text;
+            None
+        }
+        _ => None,
+    });
+    halts.collect()
 }
 
 fn raised(outcome: &Outcome) -> Vec<RunAlarm> {

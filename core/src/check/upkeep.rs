@@ -67,12 +67,16 @@ pub const SCREEN_HALTS: &str = "evaluate-screen-halt";
 pub const SCREEN_STAYS: &str = "evaluate-screen-stays";
 
 /// The measuring result screen at a call's end: its time, or that it waits for NC START (B:12564-12578, B:13953-13971).
-/// CYCLE102 shows it (B:2386); a program does not call it (B:2378).
+/// CYCLE102 shows it (B:2386).
 pub fn screen(machine: &mut dyn Machine, cycle: &Cycle) {
-    let control = machine.control();
-    if !cycle.is_measuring_cycle() || !control.bit("_CHBIT[10]") {
-        return;
+    if cycle.is_measuring_cycle() && machine.control().bit("_CHBIT[10]") {
+        show(machine);
     }
+}
+
+/// Shows it, as long as the machine says.
+pub fn show(machine: &mut dyn Machine) {
+    let control = machine.control();
     let key = match (control.bit("_CHBIT[11]"), control.bit("_CHBIT[18]")) {
         (true, _) => SCREEN_HALTS,
         (false, true) => SCREEN_STAYS,

@@ -22,6 +22,8 @@ pub struct Columns {
     pub offers: Vec<Offer>,
     /// The lines that are printed, with the values of the last measurement or of an example.
     pub printed: Vec<String>,
+    /// The last of them with the mark behind values that exceed a limit; empty: there is no mark, or no such value.
+    pub marked: String,
     /// Values that do not fit their columns.
     pub narrow: Vec<Message>,
 }

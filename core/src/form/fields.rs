@@ -96,6 +96,13 @@ pub enum Entry {
     },
 }
 
+impl Field {
+    /// The columns of a text that lists them.
+    pub fn columns(&mut self) -> Option<&mut Columns> {
+        if let Entry::Text { columns } = &mut self.entry { columns.as_mut() } else { None }
+    }
+}
+
 /// A number with its name.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]

@@ -124,7 +124,17 @@ impl Entries {
 
     /// What is no motion, in order: a long run has few of them.
     pub fn others(&self) -> impl DoubleEndedIterator<Item = Other<'_>> + Clone {
-        self.0.iter().enumerate().flat_map(|(number, window)| {
+        self.others_of(0)
+    }
+
+    /// What is no motion behind so many entries, in order.
+    pub fn others_behind(&self, at: usize) -> impl Iterator<Item = Other<'_>> {
+        self.others_of(at / WINDOW).skip_while(move |other| other.at < at)
+    }
+
+    /// What is no motion from this window on.
+    fn others_of(&self, first: usize) -> impl DoubleEndedIterator<Item = Other<'_>> + Clone {
+        self.0.iter().enumerate().skip(first).flat_map(|(number, window)| {
             window.others.iter().map(move |(place, step)| {
                 let place = usize::from(*place);
                 Other { at: number * WINDOW + place, line: window.line(place), step, in_use: window.used(place) }
@@ -302,7 +312,7 @@ mod tests {
                 Step::Motion { kind, from, to, around, feed: f64::from(feed) }
             }),
             1 => Just(Step::CallEnd),
-            1 => "[A-Z]{1,3}".prop_map(|text| Step::Message { text }),
+            1 => "[A-Z]{1,3}".prop_map(|text| Step::Message { text, waits: false }),
         ]
     }
 

@@ -45,8 +45,8 @@ pub enum Mode {
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
 pub struct Vary {
     /// Member of the file: `workpiece[0].errors.size`, `.taper`, `.shift[0]`, `.tilt[2]`, `.outOfRound[0]`;
-    /// `probe.radius`, `.length`, `.delay`, `.skew[0]`, `.preTravel[0]`; a datum or a tool or frame variable as
-    /// `data._WP[0,1]`, `data.$TC_DP3[9,1]`.
+    /// `temperature.part`, K, by which the part is warmer; `probe.radius`, `.length`, `.delay`, `.skew[0]`,
+    /// `.preTravel[0]`; a datum or a tool or frame variable as `data._WP[0,1]`, `data.$TC_DP3[9,1]`.
     pub what: String,
     /// How it is spread.
     #[serde(default, rename = "as")]

@@ -119,10 +119,14 @@ pub enum Step {
         #[cfg_attr(test, ts(type = "Raised"))]
         Code,
     ),
-    /// Operator text (`MSG`).
+    /// Operator text (`MSG`), or a halt.
     Message {
         /// As it is shown.
         text: String,
+        /// Whether the program waits for NC START.
+        #[serde(skip_serializing_if = "std::ops::Not::not")]
+        #[cfg_attr(test, ts(optional, as = "Option<bool>"))]
+        waits: bool,
     },
     /// A line of the measuring log or print-out.
     Log {

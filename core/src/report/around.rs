@@ -6,7 +6,7 @@ use crate::control::Plane;
 use crate::dialect::Dialect;
 use crate::entry::{Inputs, Typed};
 use crate::machine::Setup;
-use crate::program::around::{Block, Field, block, blocks, preset, write};
+use crate::program::around::{Block, Field, absent, block, blocks, preset, write};
 use crate::report::markdown::{line, rows};
 use crate::words::Words;
 use std::collections::BTreeMap;
@@ -41,6 +41,11 @@ fn section(text: &mut String, one: &'static Block, words: &Words) {
     cells.sort_by_key(|(_, (at, ..))| *at);
     let cells = cells.into_iter().map(|(name, (_, label, presets))| [format!("`{name}`"), label, presets.join(", ")]);
     rows(text, ["name", "meaning", "default"], cells, words);
+    for dialect in CONTROLS {
+        if let Some(absent) = absent(dialect).iter().find(|absent| absent.name == one.name) {
+            line(text, &format!("{}: {}", dialect.name(), words.key(absent.why)));
+        }
+    }
     for (name, block) in there {
         if let Some(lines) = sample(block, words) {
             line(text, &format!("{name}:"));

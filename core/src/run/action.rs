@@ -2,7 +2,7 @@
 
 use super::{
     Call, Datum, Halt, Interpreter, Next, Words, addresses, cycle, files, frame, gcode, listed, macro_call, motion,
-    noted, of_control, of_string, repeat, restart, standard, subprogram, swivel, tool, tool_memory, transformed,
+    noted, of_control, of_string, older, repeat, restart, standard, subprogram, swivel, tool, tool_memory, transformed,
     unread,
 };
 use crate::diagnostic::Span;
@@ -125,7 +125,8 @@ fn end(run: &mut Interpreter, found: &Words) -> Result<Option<End>, Problem> {
         let word = other.map_or_else(|| format!("M{number}"), |spindle| format!("M{spindle}={number}"));
         match number as i64 {
             _ if other.is_some() => machine_function(run, address.span, &word),
-            0 | 1 => run.sim.note(Step::Message { text: word }),
+            // M1 waits only where the operator wants it
+            halt @ (0 | 1) => run.sim.note(Step::Message { text: word, waits: halt == 0 }),
             2 | 30 if grammar.ends_run => end = Some(End::Program),
             2 | 30 | 17 => end = Some(End::Level),
             98 if grammar.numbered => {}
@@ -157,7 +158,8 @@ pub fn carry_out(run: &mut Interpreter, at: usize, call: &Call, passes: u32) -> 
         return Ok(None);
     }
     if name == "MSG" {
-        run.sim.note(Step::Message { text: call.arg(0).map(Datum::shown).unwrap_or_default() });
+        let text = call.arg(0).map(Datum::shown).unwrap_or_default();
+        run.sim.note(Step::Message { text, waits: false });
     } else if name == STORE_ENVIRONMENT {
         of_control::store_environment(run, &call.args, call.span)?;
     } else if name == SET_ALARM {
@@ -168,6 +170,8 @@ pub fn carry_out(run: &mut Interpreter, at: usize, call: &Call, passes: u32) -> 
         cycle::data(run, cycle, call.span)?;
     } else if let Some(unit) = run.programs.named(name).cloned() {
         return Ok(Some(subprogram::enter(run, at, call, &unit, passes)?));
+    } else if older::called(run, name, call.span) {
+        // as on the control of that time
     } else if let Some(standard) = driven(name).filter(|standard| standard::has_values(standard, call)) {
         return standard::perform(run, at, standard, call);
     } else if delivered(name) {

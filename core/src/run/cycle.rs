@@ -1,7 +1,7 @@
 //! A measuring call of a program: values as written in data or addresses, checked like typed ones, then carried out.
 
 use super::called::{self, Called};
-use super::{Call, Halt, Interpreter, Words, call, contour, interpret, mode, subprogram, unread};
+use super::{Call, Halt, Interpreter, Words, call, contour, interpret, logged, mode, subprogram, unread};
 use crate::catalogue::log;
 use crate::check::{Checked, upkeep};
 use crate::control::Value;
@@ -67,15 +67,6 @@ pub fn addresses(run: &mut Interpreter, cycle: &'static Cycle, found: &Words) ->
     carry_out(run, cycle, check::check(cycle, &typed, &run.sim.control), found.path.span)
 }
 
-/// Tells that the log is still on at the end, where the program switched it on: what measures later writes into it, and
-/// its file cannot be read out (B:11209, B:11233).
-pub fn log_stays_on(run: &mut Interpreter) {
-    let control = &run.sim.control;
-    let Some(called) = run.log_on.filter(|_| control.bit(log::ON)) else { return };
-    let file = control.text(log::FILE.as_str()).to_owned();
-    run.keep(Problem::new("run-log-on", called, file).diagnostic(Severity::Warning));
-}
-
 /// Counts how often a call is carried out where it is written; a program that does so again and again may never end.
 fn count(run: &mut Interpreter, span: Span) -> Result<(), Problem> {
     let called = run.levels.last().map_or(0, |level| level.call);
@@ -110,11 +101,10 @@ pub fn carry_out(run: &mut Interpreter, cycle: &'static Cycle, checked: Checked,
         around(run, &BEFORE, cycle, span)?;
         run.put_part(inputs);
         keep(run, inputs.clone());
-        let logged = run.sim.control.bit(log::ON);
+        let logging = run.sim.control.bit(log::ON);
+        let from = run.sim.trace.entries.len();
         call::perform(&mut run.sim, inputs).map_err(Halt::at(span))?;
-        if !logged && run.sim.control.bit(log::ON) {
-            run.log_on = Some(run.placed(span));
-        }
+        logged::called(run, cycle, span, from, logging);
         return around(run, &BEHIND, cycle, span);
     }
     match code {

@@ -1,8 +1,8 @@
 //! Runs a program block by block.
 
 use super::{
-    Halt, Level, Limits, Locals, Modal, Outcome, assumed::Made, called::Called, contour, contour::Contour, cycle,
-    defined, endless, endless::Watch, limits, mode, motion, noted, noted::Noted, of_machine, of_machine::Asked,
+    Halt, Level, Limits, Locals, Modal, Outcome, assumed::Made, called::Called, contour, contour::Contour, defined,
+    endless, endless::Watch, limits, logged, mode, motion, noted, noted::Noted, of_machine, of_machine::Asked,
     outcome::PassedOver, own_parameters, pieces, pieces::Pieces, repeat, rules::Rules, standard::Pattern, statement,
     subprogram, synchronous, synchronous::Actions, unread, unread::Unread,
 };
@@ -248,7 +248,7 @@ impl Session {
         noted::tell(&mut run);
         of_machine::settle(&mut run);
         if stop.is_none() {
-            cycle::log_stays_on(&mut run);
+            logged::stays_on(&mut run);
             mode::ended(&mut run);
         }
         let machine_values = of_machine::all(&run);

@@ -55,7 +55,7 @@ pub fn write(run: &mut Interpreter, number: u32, value: f64, place: Span) -> Res
         (ALARM, _) => {
             return Err(Problem::at("run-set-alarm", place).number("number", value).text("text", comment(run)));
         }
-        (STOP, _) => run.sim.note(Step::Message { text: comment(run) }),
+        (STOP, _) => run.sim.note(Step::Message { text: comment(run), waits: true }),
         (CLOCK, _) => run.clocks[0] = run.work as f64 - value,
         (HOURS, _) => run.clocks[1] = run.work as f64 - value * HOUR,
         _ if OPERATING.contains(&number) => run.sim.control.set(local(number), value),

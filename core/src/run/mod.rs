@@ -28,6 +28,7 @@ mod listed;
 mod locals;
 #[cfg(test)]
 mod log_tests;
+mod logged;
 mod macro_call;
 mod macro_system;
 mod macro_variables;
@@ -41,6 +42,7 @@ mod noted;
 mod of_control;
 pub mod of_machine;
 mod of_string;
+mod older;
 mod other_axes;
 pub mod outcome;
 mod own_parameters;

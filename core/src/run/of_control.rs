@@ -27,7 +27,7 @@ pub fn raise(run: &mut Interpreter, call: &Call) -> Result<(), Halt> {
     if alarms::find(&whole.to_string()).is_some() {
         run.sim.note(Step::Alarm(code));
     } else {
-        run.sim.note(Step::Message { text: format!("{whole} {text}").trim_end().to_owned() });
+        run.sim.note(Step::Message { text: format!("{whole} {text}").trim_end().to_owned(), waits: false });
     }
     if matches!(whole / 1000, 62 | 67..=69) {
         return Ok(());

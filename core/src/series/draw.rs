@@ -5,6 +5,7 @@ use crate::control::{Control, Value};
 use crate::machine::Setup;
 pub use crate::machine::series::{Mode, Per, Series, Shape, Vary};
 use crate::refused::{Path, Refused};
+use crate::workpiece::Shape as Form;
 
 impl Shape {
     /// The number of this index; `half` is the half width, of the normal distribution `sigma` counts.
@@ -83,6 +84,46 @@ pub fn known(setup: &Setup) -> Result<(), Refused> {
     Ok(())
 }
 
+/// The part gets warmer than it is made for, K: its sizes grow with `temperature.expansion` of the machine, about the
+/// place where it is clamped.
+pub const WARMTH: &str = "temperature.part";
+
+/// A machine of which one thing is more by so much; none: it has no such thing.
+pub fn varied(setup: &Setup, what: &str, by: f64) -> Option<Setup> {
+    let mut made = setup.clone();
+    add(&mut made, what, by).then_some(made)
+}
+
+/// How a feature gets another size where the radius of the tool that cuts it gets smaller by 1: a hole smaller by 2, a
+/// shaft larger by 2; none: of this solid that is not told.
+pub fn worn_by(setup: &Setup, solid: usize) -> Option<f64> {
+    match setup.workpiece.solids.get(solid)?.shape {
+        Form::Hole { .. } | Form::Groove { .. } | Form::Pocket { .. } => Some(-2.0),
+        Form::Shaft { .. } | Form::Web { .. } | Form::Island { .. } | Form::Turned { .. } => Some(2.0),
+        _ => None,
+    }
+}
+
+/// The size of a solid that its error changes, mm; of a rectangle the mean of both.
+fn size(shape: &Form) -> f64 {
+    match shape {
+        Form::Hole { diameter, .. } | Form::Shaft { diameter, .. } | Form::Turned { diameter, .. } => *diameter,
+        Form::Sphere { diameter } => *diameter,
+        Form::Groove { width, .. } | Form::Web { width, .. } => *width,
+        Form::Pocket { length, .. } | Form::Island { length, .. } => (length[0] + length[1]) / 2.0,
+        _ => 0.0,
+    }
+}
+
+/// Warms all parts by so much, K.
+fn warm(setup: &mut Setup, by: f64) -> bool {
+    let grows = setup.temperature.expansion * 1e-6 * by;
+    for solid in &mut setup.workpiece.solids {
+        solid.errors.size += size(&solid.shape) * grows;
+    }
+    !setup.workpiece.solids.is_empty()
+}
+
 /// Something that can vary.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Variable {
@@ -122,7 +163,8 @@ pub fn variables(setup: &Setup) -> Vec<Variable> {
         ERRORS.map(|one| (of(one), Some(at)))
     });
     let probe = PROBE.map(|(name, label)| ((format!("probe.{name}"), label), None));
-    errors.chain(probe).map(|((name, label), solid)| Variable { name, label, solid }).collect()
+    let warm = (!setup.workpiece.solids.is_empty()).then(|| ((WARMTH.to_owned(), "series-warmth"), None));
+    errors.chain(probe).chain(warm).map(|((name, label), solid)| Variable { name, label, solid }).collect()
 }
 
 /// Adds to a member of the setup; false: there is none of this name.
@@ -134,6 +176,9 @@ fn add(setup: &mut Setup, what: &str, by: f64) -> bool {
             control.set(name, before + by);
         }
         return true;
+    }
+    if what == WARMTH {
+        return warm(setup, by);
     }
     member(setup, what).map(|member| *member += by).is_some()
 }
@@ -183,7 +228,7 @@ mod tests {
     use crate::control::Plane;
     use crate::dialect::Dialect;
     use crate::geometry::Mcs;
-    use crate::workpiece::{Shape as Form, Solid};
+    use crate::workpiece::Solid;
 
     fn vary(what: &str) -> Vary {
         serde_json::from_str(&format!("{{ \"what\": \"{what}\", \"sigma\": 0.01 }}")).unwrap()

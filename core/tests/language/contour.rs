@@ -141,7 +141,7 @@ fn what_a_program_records_stays_in_order() {
         .filter_map(|entry| match &entry.step {
             Step::Motion { .. } => Some(format!("{}", entry.line.unwrap())),
             Step::Set { name, .. } => Some(name.clone()),
-            Step::Message { text } => Some(text.clone()),
+            Step::Message { text, .. } => Some(text.clone()),
             _ => None,
         })
         .collect();

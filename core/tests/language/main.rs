@@ -68,7 +68,7 @@ fn messages(text: &str) -> Vec<String> {
     let steps = outcome.trace.entries.iter().map(|entry| entry.step);
     steps
         .filter_map(|step| match step {
-            Step::Message { text } => Some(text),
+            Step::Message { text, .. } => Some(text),
             _ => None,
         })
         .collect()

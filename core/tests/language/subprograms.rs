@@ -113,7 +113,7 @@ fn a_program_with_a_bit_of_everything_runs() {
     assert_eq!(numbers, [3.0, 6.0]);
     let texts = outcome.trace.entries.others().rev();
     let mut texts = texts.filter_map(|entry| match entry.step {
-        Step::Message { text } => Some(text.as_str()),
+        Step::Message { text, .. } => Some(text.as_str()),
         _ => None,
     });
     assert_eq!(texts.next(), Some("GRID of 15 mm, 2"));

@@ -29,7 +29,7 @@ fn the_test_of_a_probe_runs_as_printed() {
         .entries
         .others()
         .filter_map(|entry| match entry.step {
-            Step::Message { text } => Some(text.as_str()),
+            Step::Message { text, .. } => Some(text.as_str()),
             _ => None,
         })
         .collect();

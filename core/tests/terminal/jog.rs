@@ -53,8 +53,8 @@ fn a_session_has_a_record() {
     let rows: Vec<Vec<&str>> = text.lines().skip(1).map(|line| line.split(',').collect()).collect();
     assert!(rows.iter().any(|row| row[1] == "11" && row[4] == "Measured X0" && row[8] == "0"), "{text}");
     assert!(rows.iter().any(|row| row[1] == "18" && row[4] == "Measured Z0" && row[8] == "-5"), "{text}");
-    assert!(rows.iter().all(|row| row[12] == "Measured" && row[14] == "workpiece probe 1"), "{text}");
-    assert!(rows[0][13..].join(",").contains("G54 X -10"), "{text}");
+    assert!(rows.iter().all(|row| row[13] == "Measured" && row[15] == "workpiece probe 1"), "{text}");
+    assert!(rows[0][14..].join(",").contains("G54 X -10"), "{text}");
 }
 
 // oracle: hand (docs/setup.example.json: a hole of 132.03 mm at X 180, Y 130, its upper face at Z 30)

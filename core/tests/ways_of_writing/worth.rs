@@ -31,6 +31,7 @@ fn asked(control: Dialect, cycle: &str, values: Typed, predict: bool) -> FormReq
         comments: None,
         written: None,
         style: None,
+        measured: Vec::new(),
         predict,
         limits: false,
         twin: false,

@@ -7,6 +7,7 @@ protocol-close = Zurück zur Simulation
 protocol-unfit = Zeilen, die nicht passen: { $count }
 protocol-unfit-save = Alle sichern
 protocol-columns = Spalten
+protocol-columns-ask = Keine Zeile passt von selbst: auswählen, was in welcher Spalte steht, mindestens den Istwert.
 protocol-column-number = Nummer des Aufrufs
 protocol-column-line = Zeile im Programm
 protocol-column-result = Ergebnis

@@ -12,6 +12,7 @@ record-sheet-clock = Datum der Steuerung
 record-sheet-printed = Gedruckt
 record-sheet-inspector = Prüfer
 record-sheet-signature = Unterschrift
+record-fill = Schriftfeld des gedruckten Protokolls
 record-sheet-picture = Messelemente
 record-sheet-quantity = Messelement
 record-sheet-tolerance = Toleranz

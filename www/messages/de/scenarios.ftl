@@ -15,3 +15,6 @@ scenarios-bad = nicht bestanden
 scenarios-from-example = Beispiel: { $source }
 scenarios-from-vector = Zahlen: { $source }
 scenarios-from-loop = Gegenprobe: { $source }
+scenarios-unused = Dateien, die kein Szenario braucht: { $count }
+scenarios-unused-why = Im Ordner endet der Name eines Szenarios auf scenario.json; die Programme, die es nennt, liegen daneben. Ist die Datei ein Szenario, sie umbenennen.
+scenarios-unused-more = und { $count } weitere

@@ -29,8 +29,11 @@ runs-per = Gezogen
 runs-part = Teil
 runs-series = einmal für alle
 runs-follows = Folgt Korrekturen (Variable=Faktor; …)
+runs-follow = { $name } ({ $variable }), Faktor { $factor }
+runs-follow-add = Einer Korrektur des Programms folgen
 runs-values = Werte nacheinander: { $values }
 runs-add = Streuende Größe hinzufügen
+runs-preset = Nach Namen hinzufügen
 runs-remove = Entfernen
 runs-choose = Grenzen und Wichtungsfaktor wählen
 runs-program = Programm des Beispiels
@@ -53,6 +56,7 @@ runs-ending =
     }, { $finished } bis zum Programmende, Startwert { $seed }
 runs-no-call = Es wurde nichts gemessen.
 runs-call = { $cycle }, Zeile { $line }: { $feature }
+runs-weight = { $named }, { $name } = { $value }
 runs-part-at = Teil { $part }
 runs-parts = Teile
 runs-actual = Istwert

@@ -7,6 +7,7 @@ protocol-close = Back to the simulation
 protocol-unfit = Lines that do not fit: { $count }
 protocol-unfit-save = Save all of them
 protocol-columns = Columns
+protocol-columns-ask = No line fits by itself: choose what stands in which column, at least the actual value.
 protocol-column-number = Number of the call
 protocol-column-line = Line in the program
 protocol-column-result = Result

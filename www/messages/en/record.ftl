@@ -12,6 +12,7 @@ record-sheet-clock = Date on the control
 record-sheet-printed = Printed
 record-sheet-inspector = Inspector
 record-sheet-signature = Signature
+record-fill = Title block of the printed record
 record-sheet-picture = Features
 record-sheet-quantity = Feature
 record-sheet-tolerance = Tolerance

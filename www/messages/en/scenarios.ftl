@@ -15,3 +15,6 @@ scenarios-bad = failed
 scenarios-from-example = Worked example: { $source }
 scenarios-from-vector = Figures: { $source }
 scenarios-from-loop = Closed loop: { $source }
+scenarios-unused = Files that no scenario needs: { $count }
+scenarios-unused-why = A scenario in a folder has a name that ends in scenario.json; the programs that it names lie beside it. Rename the file if it is one.
+scenarios-unused-more = and { $count } more

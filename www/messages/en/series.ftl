@@ -29,8 +29,11 @@ runs-per = Drawn
 runs-part = Part
 runs-series = once for all
 runs-follows = Follows corrections (variable=factor; …)
+runs-follow = { $name } ({ $variable }), factor { $factor }
+runs-follow-add = Follow a correction of the program
 runs-values = Values one after the other: { $values }
 runs-add = Add what varies
+runs-preset = Add by name
 runs-remove = Remove
 runs-choose = Choose limits and weight
 runs-program = Program of the example
@@ -53,6 +56,7 @@ runs-ending =
     }, { $finished } to the end of the program, seed { $seed }
 runs-no-call = Nothing was measured.
 runs-call = { $cycle }, line { $line }: { $feature }
+runs-weight = { $named }, { $name } = { $value }
 runs-part-at = Part { $part }
 runs-parts = parts
 runs-actual = Actual value

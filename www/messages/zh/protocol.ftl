@@ -7,6 +7,7 @@ protocol-close = 返回模拟
 protocol-unfit = 不相符的行：{ $count }
 protocol-unfit-save = 全部保存
 protocol-columns = 列
+protocol-columns-ask = 没有可自动对应的行：请选择各列的内容，至少选择实际值。
 protocol-column-number = 调用序号
 protocol-column-line = 程序行
 protocol-column-result = 结果

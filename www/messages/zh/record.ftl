@@ -12,6 +12,7 @@ record-sheet-clock = 控制系统日期
 record-sheet-printed = 打印时间
 record-sheet-inspector = 检验员
 record-sheet-signature = 签名
+record-fill = 打印报告的标题栏
 record-sheet-picture = 测量要素
 record-sheet-quantity = 要素
 record-sheet-tolerance = 公差

@@ -15,3 +15,6 @@ scenarios-bad = 不符
 scenarios-from-example = 计算示例：{ $source }
 scenarios-from-vector = 数据：{ $source }
 scenarios-from-loop = 闭环检验：{ $source }
+scenarios-unused = 没有场景用到的文件：{ $count }
+scenarios-unused-why = 文件夹中场景的文件名以 scenario.json 结尾，所引用的程序与其放在一起。若该文件是场景，请重命名。
+scenarios-unused-more = 另有 { $count } 个

@@ -29,8 +29,11 @@ runs-per = 取值
 runs-part = 工件
 runs-series = 全部共用一次
 runs-follows = 随补偿变化（变量=系数; …）
+runs-follow = { $name }（{ $variable }），系数 { $factor }
+runs-follow-add = 随程序中的补偿变化
 runs-values = 依次取值：{ $values }
 runs-add = 添加变化量
+runs-preset = 按名称添加
 runs-remove = 删除
 runs-choose = 选择限值和加权系数
 runs-program = 示例程序
@@ -49,6 +52,7 @@ runs-range = 工件数：1 到 { $most }
 runs-ending = { $runs } 个工件，{ $finished } 个到达程序结尾，种子 { $seed }
 runs-no-call = 没有测量。
 runs-call = { $cycle }，第 { $line } 行：{ $feature }
+runs-weight = { $named }，{ $name } = { $value }
 runs-part-at = 工件 { $part }
 runs-parts = 件
 runs-actual = 实际值

@@ -18,6 +18,7 @@ import type {
   FileStart,
   FormRequest,
   FormView,
+  LoggedCall,
   OwnMachine,
   Plane,
   ReadView,
@@ -99,9 +100,15 @@ function gather(read: ReadView): Diagnostic[] {
 
 const NO_FILES: FileStart[] = [];
 
+const NOTHING_MEASURED: readonly LoggedCall[] = [];
 const NOTHING_READ: ReadView = { calls: [], diagnostics: [] };
 
 const NOTHING_ASSUMED: CallView["first"] = {};
+
+/** The measuring calls of a program, whose results its log prints. */
+function measuredOf(calls: readonly CallView[]): readonly LoggedCall[] {
+  return calls.flatMap(({ cycle, mvar }) => (mvar === null ? [] : [{ cycle, variant: mvar }]));
+}
 
 /** What arrives first at the opened call, of the values that nobody has typed over. */
 function assumptions(opened: CallView | null, values: FormState["values"]): CallView["first"] {
@@ -208,6 +215,7 @@ export function createDerive(forms: () => FormCore, catalogue: Catalogue): (stat
       units?: UnitFunction,
       transverse?: Transverse,
       written?: Style,
+      measured: readonly LoggedCall[] = [],
     ): Formed => {
       const request = {
         control: cycle.control,
@@ -219,6 +227,7 @@ export function createDerive(forms: () => FormCore, catalogue: Catalogue): (stat
         ...(setup ? { setup } : {}),
         ...(plane && units && transverse ? { plane, units, transverse } : {}),
         ...(written ? { written } : {}),
+        ...(measured.length ? { measured: [...measured] } : {}),
       };
       const first = Object.fromEntries(Object.entries(assumed).map(([name, { value }]) => [name, value]));
       question = { ...request, predict: true, ...(assumed !== NOTHING_ASSUMED ? { assumed: first } : {}) };
@@ -237,6 +246,7 @@ export function createDerive(forms: () => FormCore, catalogue: Catalogue): (stat
   );
   const around = memo(aroundOf);
   const assume = memo(assumptions);
+  const measuredBy = memo(measuredOf);
   const known = memo(worth);
   const still = memo(stillOf);
   const problems = memo(gather);
@@ -266,6 +276,7 @@ export function createDerive(forms: () => FormCore, catalogue: Catalogue): (stat
       state.form.around?.units,
       state.form.around?.transverse,
       opened?.style,
+      cycle.purpose.probe === "log" ? measuredBy(reading.calls) : NOTHING_MEASURED,
     );
     const index = opened ? reading.calls.indexOf(opened) : null;
     const blocks = around(

@@ -44,17 +44,30 @@ async function program(file: File | undefined, core: ProgramCore): Promise<strin
   return text;
 }
 
+/** Scenarios among files, and the names of those that none of them needs: known once all were read. */
+export interface Picked {
+  found: Found[];
+  unused(): string[];
+}
+
 /** Of a folder its scenarios; of single files each that could be one. */
-export function scenariosIn(files: readonly File[], core: ProgramCore): Found[] {
+export function scenariosIn(files: readonly File[], core: ProgramCore): Picked {
   const wanted = files.some(file => file.webkitRelativePath) ? isScenario : isJson;
-  const found = files.filter(file => wanted(file.name)).sort((a, b) => pathOf(a).localeCompare(pathOf(b)));
-  return found.map(file => ({
+  const sorted = [...files].sort((a, b) => pathOf(a).localeCompare(pathOf(b)));
+  const scenarios = sorted.filter(file => wanted(file.name));
+  const used = new Set<File>(scenarios);
+  const found = scenarios.map(file => ({
     name: pathOf(file),
     text: () => file.text(),
-    async beside(text) {
-      const near = (name: string) => files.find(one => one.name === name && folderOf(one) === folderOf(file));
+    async beside(text: string) {
+      const near = (name: string): File | undefined => {
+        const one = files.find(other => other.name === name && folderOf(other) === folderOf(file));
+        if (one) used.add(one);
+        return one;
+      };
       const read = named(text).map(async name => ({ name, text: await program(near(name), core) }));
       return (await Promise.all(read)).filter((one): one is Beside => one.text !== null);
     },
   }));
+  return { found, unused: () => sorted.filter(file => !used.has(file)).map(pathOf) };
 }

@@ -16,6 +16,8 @@ import { say, sayProblem, t } from "../texts";
 import type { CaseView, NoteRequest, Scenario, ScenarioView } from "../wire";
 import { type Found, type Kind, scenariosIn } from "./files";
 
+const SHOWN = 100; // files that no scenario needs
+
 /** What came of a scenario, or why nothing did. */
 type Came = { name: string; kind?: Kind } & (ScenarioView | { why: string });
 
@@ -25,6 +27,7 @@ interface Series {
   since: number;
   until: number | null;
   came: Came[];
+  unused: string[];
 }
 
 const casesOf = (came: Came): readonly CaseView[] => ("cases" in came ? came.cases : []);
@@ -64,9 +67,9 @@ export function createScenarios(
     if ("problem" in proved) return { ...what, why: sayProblem(proved.problem) };
     return { ...what, ...(JSON.parse(proved.json) as ScenarioView) };
   };
-  const carryOut = async (found: readonly Found[]): Promise<void> => {
+  const carryOut = async (found: readonly Found[], unused: () => string[] = () => []): Promise<void> => {
     stop();
-    const own: Series = { count: found.length, since: performance.now(), until: null, came: [] };
+    const own: Series = { count: found.length, since: performance.now(), until: null, came: [], unused: [] };
     series = own;
     problem = found.length ? "" : t("scenarios-none");
     draw();
@@ -77,6 +80,7 @@ export function createScenarios(
       draw();
     }
     own.until = performance.now();
+    own.unused = unused();
     draw();
   };
   const check = async (): Promise<void> => carryOut((await import("./built-in")).builtIn());
@@ -101,7 +105,9 @@ export function createScenarios(
   const picked = (from: HTMLInputElement) => (): void => {
     const files = [...(from.files ?? [])];
     from.value = "";
-    if (files.length) void carryOut(scenariosIn(files, core));
+    if (!files.length) return;
+    const { found, unused } = scenariosIn(files, core);
+    void carryOut(found, unused);
   };
   picker.addEventListener("change", picked(picker));
   folder.addEventListener("change", picked(folder));
@@ -143,7 +149,7 @@ export function createScenarios(
 }
 
 /** How many cases hold, and each scenario; what differs stands first. */
-function outcome({ count, since, until, came }: Series, stop: () => void): TemplateResult {
+function outcome({ count, since, until, came, unused }: Series, stop: () => void): TemplateResult {
   const all = came.flatMap(casesOf);
   const refused = came.filter(one => "why" in one).length;
   const seconds = ((until ?? performance.now()) - since) / 1000;
@@ -159,7 +165,21 @@ function outcome({ count, since, until, came }: Series, stop: () => void): Templ
           <button type="button" @click=${stop}>${t("scenarios-stop")}</button>`
         : nothing
     }
-    <ul class="scenarios-list" tabindex="0" aria-label=${t("scenarios-title")}>${ordered.map(row)}</ul>`;
+    <ul class="scenarios-list" tabindex="0" aria-label=${t("scenarios-title")}>${ordered.map(row)}</ul>
+    ${unused.length ? unusedOf(unused) : nothing}`;
+}
+
+/** Files that were picked and that no scenario needs: none is dropped without a word. */
+function unusedOf(unused: readonly string[]): TemplateResult {
+  const more = unused.length - SHOWN;
+  return html`<details class="scenarios-unused">
+    <summary>${t("scenarios-unused", { count: unused.length })}</summary>
+    <p>${t("scenarios-unused-why")}</p>
+    <ul>
+      ${unused.slice(0, SHOWN).map(name => html`<li>${name}</li>`)}
+      ${more > 0 ? html`<li>${t("scenarios-unused-more", { count: more })}</li>` : nothing}
+    </ul>
+  </details>`;
 }
 
 function row(came: Came): TemplateResult {
@@ -172,7 +192,7 @@ function row(came: Came): TemplateResult {
     <span class="scenario-name">${came.name}</span>
     <span class="meta">${"why" in came ? nothing : `${length}/${cases.length}`}</span>
     <span class="meta scenario-source">${"source" in came ? from(came) : nothing}</span>
-    ${"why" in came ? html`<p>${came.why}</p>` : cases.filter(one => !holds(one)).map(differing)}
+    ${"why" in came ? html`<p>${came.why} ${t("scenario-cure")}</p>` : cases.filter(one => !holds(one)).map(differing)}
   </li>`;
 }
 

@@ -214,6 +214,7 @@ export interface ViewState {
   errors: number; // how many times as large those of the part are drawn
   section: boolean; // the part is cut open
   central: boolean; // projection
+  titles: Record<string, string>; // of the printed record, by field: what only people know
 }
 
 /** The run of the program. */
@@ -421,6 +422,7 @@ export function firstState(): State {
       errors: 1,
       section: false,
       central: false,
+      titles: {},
     },
     run: { done: null, stopped: null, strict: false, mode: "automatic", target: 0, main: "" },
     scan: { made: null, problem: "" },

@@ -149,6 +149,7 @@ const FIELDS = {
   source: field("view", "source"),
   diameters: field("view", "diameters"),
   halts: field("view", "halts"),
+  titles: field("view", "titles", texts),
   panel: field("panels", "panel"),
   left: field("panels", "left"),
   right: field("panels", "right"),

@@ -9,7 +9,7 @@ import { guideButton } from "../guide";
 import type { State } from "../state/state";
 import type { Store } from "../state/store";
 import { say, t } from "../texts";
-import type { AroundBlock, AroundField } from "../wire";
+import type { AroundBlock, AroundField, AroundView } from "../wire";
 
 type Blocks = Record<string, Record<string, string>>;
 
@@ -80,6 +80,15 @@ function blockOf({ name, key, wanted: on, suits, fields }: AroundBlock, hands: H
   </div>`;
 }
 
+/** What this control cannot have around a call, and why. */
+function absentOf(all: AroundView["absent"]) {
+  if (!all.length) return nothing;
+  return html`<p class="quiet-text">${t("around-absent")}</p>
+    <ul class="quiet-text">
+      ${all.map(({ key, why }) => html`<li>${t(key)}: ${t(why)}</li>`)}
+    </ul>`;
+}
+
 export function createAround(
   store: Store,
   actions: Actions,
@@ -90,7 +99,8 @@ export function createAround(
   const apply = el("button", { type: "button", class: "primary" }, t("around-apply"));
   const back = el("button", { type: "button" }, t("around-back"));
   const doing = el("div", { class: "actions" }, apply, back);
-  const root = el("details", { class: "around" }, head, guideButton("around"), list, none, doing);
+  const absent = el("div", {});
+  const root = el("details", { class: "around" }, head, guideButton("around"), list, none, doing, absent);
   let now: { at: string; blocks: readonly AroundBlock[]; edits: Derived["around"] } | null = null;
 
   const want = (change: (blocks: Blocks) => Blocks): void => {
@@ -125,6 +135,7 @@ export function createAround(
       show(doing, !!opened && !!around && state.snippet.around?.blocks !== null);
       apply.disabled = !around?.edits.length;
       render(around ? around.blocks.map(block => blockOf(block, hands)) : nothing, list);
+      render(around ? absentOf(around.absent) : nothing, absent);
     },
   };
 }

@@ -24,6 +24,8 @@ export function createColumns(id: string, put: (text: string, caret?: number) =>
   const button = el("button", { type: "button", class: "columns-add" });
   const note = el("span", { class: "columns-note" });
   const lines = el("pre", { class: "columns-printed", tabindex: "0" });
+  const marked = el("pre", { class: "columns-marked" });
+  const beyond = el("div", {}, el("span", { class: "columns-note" }, t("columns-marked")), marked);
   const narrow = el("ul", { class: "columns-narrow" });
   const root = el(
     "div",
@@ -31,6 +33,7 @@ export function createColumns(id: string, put: (text: string, caret?: number) =>
     list,
     el("div", { class: "columns-tools" }, choice, button, note),
     lines,
+    beyond,
     narrow,
   );
 
@@ -80,6 +83,8 @@ export function createColumns(id: string, put: (text: string, caret?: number) =>
       setText(lines, now.printed.join("\n"));
       setAttribute(lines, "aria-label", t("columns-printed", { name: say(field.label) }));
       show(lines, now.printed.length > 0);
+      setText(marked, now.marked);
+      show(beyond, now.marked !== "");
       keyed(
         narrow,
         now.narrow.map((message, index) => ({ message, index })),

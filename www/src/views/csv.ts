@@ -10,9 +10,10 @@ import type { Correction, Figure, RunRecord } from "../wire";
 type Call = RunRecord["calls"][number];
 const MARK = "\ufeff";
 const DECIMALS = 6;
+const ON = 1e-6; // how far a deviation on a limit may be off by calculation
 const COLUMNS = [
   ...["number", "line", "cycle", "feature", "quantity", "nominal", "low", "high", "actual", "deviation", "used"],
-  ...["unit", "verdict", "corrects", "probe", "calibration", "alarms", "why"],
+  ...["unit", "within", "verdict", "corrects", "probe", "calibration", "alarms", "why"],
 ];
 
 const unit = (name: string): string => (name === "deg" ? "°" : name);
@@ -42,6 +43,13 @@ function corrected(all: readonly Correction[], comma: boolean): string {
   return all.map(one).join(", ");
 }
 
+/** Key of whether a quantity by itself is within its limits. */
+function held(one: Figure | undefined): string {
+  if (!one?.limits || one.deviation === undefined) return "record-unlimited";
+  const { low, high } = one.limits;
+  return one.deviation >= low - ON && one.deviation <= high + ON ? "record-within" : "record-beyond";
+}
+
 /** A line for each quantity of each call. */
 function linesOf(call: Call, index: number, comma: boolean, files: RunRecord["files"]): string[][] {
   const line = call.line === undefined ? "" : shortLine(files, call.line);
@@ -49,7 +57,7 @@ function linesOf(call: Call, index: number, comma: boolean, files: RunRecord["fi
     ...[String(index + 1), line, call.cycle ?? "", say(call.feature), one ? say(one.label) : ""],
     ...[one?.set, one?.limits?.low, one?.limits?.high].map(value => figure(value, comma)),
     ...[one?.actual, one?.deviation, one?.limits?.used].map(value => figure(value, comma)),
-    ...[one ? unit(one.unit) : "", say(call.verdict_words), corrected(call.corrected, comma)],
+    ...[one ? unit(one.unit) : "", t(held(one)), say(call.verdict_words), corrected(call.corrected, comma)],
     ...[say(call.probe.name), say(call.probe.calibration), call.alarms.join(" "), say(call.why)],
   ];
   return call.figures.length ? call.figures.map(row) : [row(undefined)];

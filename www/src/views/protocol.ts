@@ -19,6 +19,10 @@ const ROLES = ["number", "line", "result", "nominal", "actual", "deviation"] as 
 const SHOWN = 200; // lines that do not fit; all of them are saved
 const LARGEST = 100 * 2 ** 20; // bytes
 
+/** The files of a log in their order: LOG_1.MPF, LOG_1_1.MPF, LOG_1_2.MPF. */
+const byName = new Intl.Collator("en", { numeric: true });
+const stem = (name: string): string => name.replace(/\.[^.]*$/, "");
+
 /** What a protocol needs of the page. */
 export interface ProtocolWays {
   core(): ProgramCore | null;
@@ -49,11 +53,17 @@ export async function textOf(file: File): Promise<string> {
 
 /** `changed`: what it came to is another. */
 export function createProtocol({ core, arrows, real }: ProtocolWays, changed: () => void): Protocol {
-  const picker = el("input", { type: "file", hidden: true, tabindex: "-1", "aria-label": t("protocol-open") });
+  const picker = el("input", {
+    type: "file",
+    multiple: true,
+    hidden: true,
+    tabindex: "-1",
+    "aria-label": t("protocol-open"),
+  });
   const body = el("div");
   const root = el("section", { class: "protocol", "aria-label": t("protocol-title"), hidden: true }, body, picker);
   let prover: Prover | null = null;
-  let file: { name: string; text: string } | null = null;
+  let file: { name: string; names: string[]; texts: string[] } | null = null;
   let view: ProtocolView | null = null;
   let columns: ProtocolColumns = {};
   let problem = "";
@@ -77,7 +87,7 @@ export function createProtocol({ core, arrows, real }: ProtocolWays, changed: ()
     const setup = machineTo(state, derived.view);
     const run = { control: state.form.control, text: derived.program, ...(setup ? { setup } : {}), ...given };
     const chosen = Object.keys(columns).length ? { columns } : {};
-    const asked: ProtocolRequest = { run, protocol: file.text, ...chosen };
+    const asked: ProtocolRequest = { run, protocol: file.texts, ...chosen };
     [busy, problem] = [true, ""];
     show();
     prover ??= createProver(module);
@@ -88,6 +98,7 @@ export function createProtocol({ core, arrows, real }: ProtocolWays, changed: ()
     if ("problem" in proved) problem = sayProblem(proved.problem);
     else {
       view = JSON.parse(proved.json) as ProtocolView;
+      if (!Object.keys(columns).length) columns = { ...view.recognised };
       const bad = view.answers.map(({ verdict }) => ["beyond", "rework", "scrap"].includes(verdict));
       arrows(view.arrows.map(one => ({ ...one, bad: bad[one.call] ?? false })));
       real({ answers: view.answers, file: name });
@@ -96,17 +107,19 @@ export function createProtocol({ core, arrows, real }: ProtocolWays, changed: ()
     changed();
   };
   picker.addEventListener("change", () => {
-    const [chosen] = picker.files ?? [];
+    const chosen = [...(picker.files ?? [])].sort((one, other) => byName.compare(stem(one.name), stem(other.name)));
     picker.value = "";
-    if (!chosen) return;
+    if (!chosen.length) return;
     void (async () => {
       columns = {};
       view = null;
-      file = { name: chosen.name, text: "" };
+      const names = chosen.map(one => one.name);
+      const size = chosen.reduce((sum, one) => sum + one.size, 0);
+      file = { name: names.join(", "), names, texts: [] };
       of = now?.derived.run ?? null;
-      problem = chosen.size > LARGEST ? t("protocol-too-large", { most: LARGEST / 2 ** 20 }) : "";
+      problem = size > LARGEST ? t("protocol-too-large", { most: LARGEST / 2 ** 20 }) : "";
       if (problem) return show();
-      file = { name: chosen.name, text: await textOf(chosen) };
+      file = { ...file, texts: await Promise.all(chosen.map(textOf)) };
       await lay();
     })();
   });
@@ -124,24 +137,27 @@ export function createProtocol({ core, arrows, real }: ProtocolWays, changed: ()
       choose(role, (event.target as HTMLSelectElement).value);
   const column = (role: (typeof ROLES)[number], heads: readonly string[]): TemplateResult => html`<label
     ><span>${t(`protocol-column-${role}`)}</span
-    ><select .value=${columns[role] ?? ""} @change=${chosen(role)}>
-      <option value="">–</option>
-      ${heads.map((head, index) => html`<option value=${String(index + 1)}>${`${index + 1}: ${head}`}</option>`)}
+    ><select @change=${chosen(role)}>
+      <option value="" .selected=${!columns[role]}>–</option>
+      ${heads.map((head, index) => {
+        const number = String(index + 1);
+        return html`<option value=${number} .selected=${columns[role] === number}>${`${number}: ${head}`}</option>`;
+      })}
     </select></label
   >`;
   const unfit = ({ unfit: all }: ProtocolView): TemplateResult | typeof nothing => {
     if (!all.length) return nothing;
-    const text = (): string => all.map(({ line, text, why }) => `${line}: ${say(why)} | ${text}\n`).join("");
+    const names = file && file.names.length > 1 ? file.names : [];
+    const place = (one: ProtocolView["unfit"][number]): string =>
+      names.length ? `${names[one.file] ?? ""}:${one.line}` : String(one.line);
+    const text = (): string => all.map(one => `${place(one)}: ${say(one.why)} | ${one.text}\n`).join("");
     const save = (): void => saveFile(text(), "lines.txt");
     return html`<details class="protocol-unfit">
       <summary>${t("protocol-unfit", { count: all.length })}</summary>
       <ol>
         ${all
           .slice(0, SHOWN)
-          .map(
-            ({ line, text, why }) =>
-              html`<li value=${line}><b>${line}</b> <code>${text}</code> <span>${say(why)}</span></li>`,
-          )}
+          .map(one => html`<li><b>${place(one)}</b> <code>${one.text}</code> <span>${say(one.why)}</span></li>`)}
       </ol>
       ${all.length > SHOWN ? html`<button type="button" @click=${save}>${t("protocol-unfit-save")}</button>` : nothing}
     </details>`;
@@ -161,8 +177,9 @@ export function createProtocol({ core, arrows, real }: ProtocolWays, changed: ()
             ${view ? unfit(view) : nothing}
             ${
               heads.length > 1
-                ? html`<details class="protocol-columns">
+                ? html`<details class="protocol-columns" ?open=${view?.fitted === 0}>
                     <summary>${t("protocol-columns")}</summary>
+                    ${view?.fitted === 0 ? html`<p>${t("protocol-columns-ask")}</p>` : nothing}
                     <div>${ROLES.map(role => column(role, heads))}</div>
                   </details>`
                 : nothing

@@ -11,7 +11,7 @@ import type { State } from "../state/state";
 import { say, t } from "../texts";
 import type { Figure, RunView } from "../wire";
 import { amount, correctedText, unitBehind } from "./amounts";
-import type { RecordShown } from "./record";
+import type { RecordShown, TITLES } from "./record";
 import { now } from "./sheet";
 
 type Call = RunView["answers"][number];
@@ -23,13 +23,17 @@ const WIDE = 60; // of a bar, its units
 
 const word = (key: string): string => t(`record-sheet-${key}`);
 
-/** Name and value; without a value there is room to write. */
+/** What a title has: as filled in, the machine else as its profile calls it. */
+const filled = (state: State, about: RecordShown["about"], key: (typeof TITLES)[number]): string =>
+  state.view.titles[key]?.trim() || (key === "machine" ? about.machine : "");
+
+/** Name and value. */
 function titles(state: State, { about }: RecordShown): HTMLElement {
   const all: [string, string][] = [
-    ["part", ""],
+    ["part", filled(state, about, "part")],
     ["program", fileOf(state).name],
-    ["order", ""],
-    ["machine", about.machine],
+    ["order", filled(state, about, "order")],
+    ["machine", filled(state, about, "machine")],
     ["clock", about.clock.replace("T", " ")],
     ["control", t(`control-${about.control}`)],
     ["printed", now()],
@@ -134,7 +138,11 @@ function picture(
 }
 
 export function recordSheet(state: State, derived: Derived, shown: RecordShown, draw: Draw): HTMLElement {
-  const sign = ["inspector", "signature"].map(one => el("div", {}, el("dt", {}, word(one)), el("dd", {})));
+  const signed: [string, string][] = [
+    ["inspector", filled(state, shown.about, "inspector")],
+    ["signature", ""],
+  ];
+  const sign = signed.map(([key, value]) => el("div", {}, el("dt", {}, word(key)), el("dd", {}, value)));
   return el(
     "section",
     { class: "record-sheet" },

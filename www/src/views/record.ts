@@ -5,6 +5,8 @@ import { say } from "../texts";
 import type { Message, RunRecord, RunView } from "../wire";
 
 const FORMAT = 1;
+/** What only people know of a record, filled in before it is printed; empty: there is room to write. */
+export const TITLES = ["part", "order", "machine", "inspector"] as const;
 
 /** What is shown of a run, simulated or measured on the machine. */
 export type RecordShown = Pick<RunView, "about" | "answers" | "ending" | "files">;

@@ -5,12 +5,12 @@ import type { Actions } from "../desk/actions";
 import type { Derived } from "../desk/derive";
 import { el, on, show } from "../dom";
 import { guideButton } from "../guide";
-import { plain } from "../numbers";
+import { fixed, plain } from "../numbers";
 import type { State } from "../state/state";
 import type { Store } from "../state/store";
 import { say, t } from "../texts";
 import type { Answer } from "../wire";
-import { amount, unitBehind } from "./amounts";
+import { unitBehind } from "./amounts";
 
 type Screen = NonNullable<Answer["screen"]>;
 /** With the step from which it is gone, and the line of its call in the program. */
@@ -32,54 +32,64 @@ export function screens(state: State, { run, view }: Derived): ShownScreen[] {
   });
 }
 
+/** Where a program waits for NC START without a result screen: M0, a text that halts. */
+const waits = (state: State, { run }: Derived) => (state.view.source === "program" ? (run?.waits ?? []) : []);
+
 /** The next step behind this one at which the control waits for NC START. */
 export function haltAfter(state: State, derived: Derived, step: number): number {
-  const next = screens(state, derived).find(({ screen }) => screen.until === "start" && screen.at > step);
-  return next?.screen.at ?? Number.POSITIVE_INFINITY;
+  const shown = screens(state, derived).find(({ screen }) => screen.until === "start" && screen.at > step);
+  const next = waits(state, derived).find(({ at }) => at > step);
+  return Math.min(shown?.screen.at ?? Number.POSITIVE_INFINITY, next?.at ?? Number.POSITIVE_INFINITY);
 }
 
-/** Figures with the unit of all of them behind the last. */
-const figures = (values: (number | null)[], unit: string) =>
+/** Figures with the unit of all of them behind the last; the control says how many decimals they have. */
+const figures = (values: (number | null)[], unit: string, digits: number) =>
   html`${values.map(
-    value => html`<td class="figure">${value === null ? "" : unit ? amount(value, unit) : plain(value)}</td>`,
+    value => html`<td class="figure">${value === null ? "" : unit ? fixed(value, digits) : plain(value)}</td>`,
   )}
     <td class="unit">${unitBehind(unit).trim()}</td>`;
 
 function body(screen: Screen) {
-  const { title, cycle, variant, measures, rows, values } = screen;
+  const { title, cycle, variant, measures, rows, values, digits } = screen;
   return html`<h3>${say(title)}</h3>
     <p>${`${cycle} · ${variant} · ${say(measures)}`}</p>
-    <table ?hidden=${rows.length === 0}>
-      <thead>
-        <tr>
-          <th></th>
-          ${["set", "actual", "difference"].map(key => html`<th scope="col">${t(`screen-${key}`)}</th>`)}
-          <th></th>
-        </tr>
-      </thead>
-      <tbody>
-        ${rows.map(
-          ({ label, set, actual, difference, unit }) =>
-            html`<tr>
-              <th scope="row">${say(label)}</th>
-              ${figures([set, actual, difference], unit)}
-            </tr>`,
-        )}
-      </tbody>
-    </table>
-    <table>
-      <tbody>
-        ${values.map(
-          ({ label, value, unit }) =>
-            html`<tr>
-              <th scope="row">${say(label)}</th>
-              ${figures([value], unit)}
-            </tr>`,
-        )}
-      </tbody>
-    </table>
+    <div class="screen-tables">
+      <table ?hidden=${rows.length === 0}>
+        <thead>
+          <tr>
+            <th></th>
+            ${["set", "actual", "difference"].map(key => html`<th scope="col">${t(`screen-${key}`)}</th>`)}
+            <th></th>
+          </tr>
+        </thead>
+        <tbody>
+          ${rows.map(
+            ({ label, set, actual, difference, unit }) =>
+              html`<tr>
+                <th scope="row">${say(label)}</th>
+                ${figures([set, actual, difference], unit, digits)}
+              </tr>`,
+          )}
+        </tbody>
+      </table>
+      <table>
+        <tbody>
+          ${values.map(
+            ({ label, value, unit }) =>
+              html`<tr>
+                <th scope="row">${say(label)}</th>
+                ${figures([value], unit, digits)}
+              </tr>`,
+          )}
+        </tbody>
+      </table>
+    </div>
     <p role="status">${t(`screen-until-${screen.until}`)}</p>`;
 }
+
+/** The text over a program that waits. */
+const halted = (text: string) => html`<h3>${text}</h3>
+  <p role="status">${t("screen-waits")}</p>`;
 
 /** The run at this screen, with the focus on it. */
 export function openScreen(store: Store, actions: Pick<Actions, "panel">, { at }: Screen): void {
@@ -117,10 +127,11 @@ export function createScreen(
       const { step } = derived;
       now = step;
       const seen = screens(state, derived).findLast(({ screen, gone }) => screen.at <= step && step < gone)?.screen;
-      show(root, !!seen);
-      show(doing, seen?.until === "start");
+      const wait = waits(state, derived).find(({ at }) => at === step);
+      show(root, !!seen || !!wait);
+      show(doing, seen?.until === "start" || !!wait);
       if (halts.checked !== state.view.halts) halts.checked = state.view.halts;
-      render(seen ? body(seen) : nothing, shown);
+      render(wait ? halted(wait.text) : seen ? body(seen) : nothing, shown);
     },
   };
 }

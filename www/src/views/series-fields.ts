@@ -3,13 +3,16 @@
 import { html, nothing, type TemplateResult } from "lit-html";
 import { parseNumber, plain } from "../numbers";
 import { say, t } from "../texts";
-import type { Mode, Per, Series, SeriesName, Shape, Vary } from "../wire";
+import type { Mode, Per, Series, SeriesFollow, SeriesName, SeriesPreset, SeriesStart, Shape, Vary } from "../wire";
 
 const SHAPES: Shape[] = ["normal", "uniform", "triangular", "arcsine"];
 const MODES: Mode[] = ["production", "independent"];
 const PERS: Per[] = ["part", "series"];
 const MOST = 10_000; // parts that a page waits for
 const FIRST_SPREAD = 0.01; // mm, of the first thing that varies
+
+/** What the core offers for the program and the machine. */
+export type Offered = Pick<SeriesStart, "names" | "follows" | "presets">;
 
 /** A variation as typed. */
 interface Row {
@@ -130,10 +133,31 @@ function whatOf(id: string, row: Row, names: readonly SeriesName[], change: () =
   }`;
 }
 
+/** Corrections of the program that reach what varies here; a choice writes one behind the others. */
+function followOf(id: string, row: Row, follows: readonly SeriesFollow[], change: () => void): unknown {
+  const own = follows.filter(({ what, variable }) => what === row.what && !row.follows.includes(`${variable}=`));
+  if (!own.length) return nothing;
+  const chosen = (event: Event): void => {
+    const one = own[Number((event.target as HTMLSelectElement).value)];
+    if (one) row.follows = [row.follows.trim(), `${one.variable}=${one.factor}`].filter(Boolean).join("; ");
+    change();
+  };
+  const named = ({ target, part, variable, factor }: SeriesFollow): string =>
+    t("runs-follow", { name: `${say(target)} ${part}`.trim(), variable, factor: plain(factor) });
+  return field(
+    id,
+    t("runs-follow-add"),
+    html`<select id=${id} @change=${chosen}>
+      <option value="" .selected=${true}>–</option>
+      ${own.map((one, at) => html`<option value=${String(at)}>${named(one)}</option>`)}
+    </select>`,
+  );
+}
+
 function rowShown(
   row: Row,
   at: number,
-  names: readonly SeriesName[],
+  { names, follows }: Offered,
   { change, remove }: { change(): void; remove(): void },
 ): TemplateResult {
   const id = (name: string): string => `series-${name}-${at}`;
@@ -158,6 +182,7 @@ function rowShown(
     ${typed("mean", t("runs-offset"))}
     ${typed("drift", t("runs-drift"))}
     ${field(id("per"), t("runs-per"), per)}
+    ${followOf(id("follow"), row, follows, change)}
     ${typed("follows", t("runs-follows"))}
     ${values ? html`<p>${t("runs-values", { values })}</p>` : nothing}
     <button type="button" @click=${remove}>${t("runs-remove")}</button>
@@ -165,12 +190,22 @@ function rowShown(
 }
 
 /** All fields. `change`: draws them anew. */
-export function fieldsOf(typed: Typed, names: readonly SeriesName[], change: () => void): TemplateResult {
+export function fieldsOf(typed: Typed, offered: Offered, change: () => void): TemplateResult {
   const { rows } = typed;
+  const { names, presets } = offered;
   const others = names.filter(({ name }) => !rows.some(({ what }) => what === name));
   const add = (): void => {
     rows.push(rowOf({ what: others[0]?.name ?? "data." }));
     change();
+  };
+  const preset = (event: Event): void => {
+    const chosen = presets[Number((event.target as HTMLSelectElement).value)];
+    if (chosen) rows.push(rowOf(chosen.vary));
+    change();
+  };
+  const presetName = ({ label, of, part }: SeriesPreset): string => {
+    const behind = [of ? `${say(of.target)} ${of.part}`.trim() : "", part ? t("runs-of-part", { part }) : ""];
+    return [say(label), ...behind.filter(Boolean)].join(" · ");
   };
   const remove = (at: number) => (): void => {
     rows.splice(at, 1);
@@ -192,7 +227,19 @@ export function fieldsOf(typed: Typed, names: readonly SeriesName[], change: () 
       t("runs-mode"),
       choice("series-mode", MODES, typed.mode, value => (typed.mode = value)),
     )}
-    ${rows.map((row, at) => rowShown(row, at, names, { change, remove: remove(at) }))}
+    ${rows.map((row, at) => rowShown(row, at, offered, { change, remove: remove(at) }))}
     <button type="button" @click=${add}>${t("runs-add")}</button>
+    ${
+      presets.length
+        ? field(
+            "series-preset",
+            t("runs-preset"),
+            html`<select id="series-preset" @change=${preset}>
+              <option value="" .selected=${true}>–</option>
+              ${presets.map((one, at) => html`<option value=${String(at)}>${presetName(one)}</option>`)}
+            </select>`,
+          )
+        : nothing
+    }
     <p class="series-note">${t("runs-units")}</p>`;
 }

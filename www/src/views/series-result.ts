@@ -66,7 +66,14 @@ function figureOf(figure: SeriesFigure, call: SeriesCall, main: boolean, runs: n
   return html`${
     flat
       ? html`<h4>${say(figure.label)}</h4>`
-      : chart(say(figure.label), t("runs-parts"), linesOf(figure, call, main), runs, unit, width)
+      : chart(
+          main ? weighted(say(figure.label), call) : say(figure.label),
+          t("runs-parts"),
+          linesOf(figure, call, main),
+          runs,
+          unit,
+          width,
+        )
   }
     <p>${told}</p>
     ${
@@ -106,11 +113,16 @@ function tableOf({ measured, corrected, memories = [] }: SeriesCall, adds: boole
   </div>`;
 }
 
+/** With the weight of the mean value, by which two charts of the same parts differ. */
+const weighted = (named: string, { weight }: SeriesCall): string =>
+  weight ? t("runs-weight", { named, name: weight.name, value: weight.value }) : named;
+
 function callOf(call: SeriesCall, { runs, mode }: SeriesView, width: number): TemplateResult {
   const adds = mode === "production";
   const { line, cycle, feature, measured, corrected, verdicts, uncorrected = [] } = call;
   const shown = measured.slice(0, 1)[0]?.course.length ?? runs;
-  const title = t("runs-call", { line: line ?? 0, cycle: cycle ?? "", feature: say(feature) });
+  const named = t("runs-call", { line: line ?? 0, cycle: cycle ?? "", feature: say(feature) });
+  const title = weighted(named, call);
   return html`<section class="series-call">
     <h3>${title}</h3>
     ${measured.map((figure, at) => figureOf(figure, call, at === 0, shown, width))}

@@ -11,7 +11,7 @@ import { say, sayProblem, t } from "../texts";
 import type { Series, SeriesStart, SeriesView } from "../wire";
 import { printBelow, showPassing } from "./passing";
 import { PAPER_WIDTH } from "./series-chart";
-import { fieldsOf, seriesOf, type Typed, typedOf } from "./series-fields";
+import { fieldsOf, type Offered, seriesOf, type Typed, typedOf } from "./series-fields";
 import { endingOf, resultOf } from "./series-result";
 
 const LOOK = 250; // ms between two looks at how far it is
@@ -71,7 +71,8 @@ function build(start: SeriesStart | { why: string }) {
 /** Opens the dialog; `asked`: the program on the machine in use, as a question. It goes when it is closed. */
 export function openSeries(core: ProgramCore, asked: SeriesQuestion, end: AbortSignal): void {
   const start = core.seriesStart(asked);
-  const names = "why" in start ? [] : start.names;
+  const offered: Offered = "why" in start ? { names: [], follows: [], presets: [] } : start;
+  const { names } = offered;
   const shown = build(start);
   const { dialog, fields, problem, result, way, status, running, stopping, text, help, printing } = shown;
   let about = asked;
@@ -79,7 +80,7 @@ export function openSeries(core: ProgramCore, asked: SeriesQuestion, end: AbortS
   let view: SeriesView | null = null;
   let looking = 0;
 
-  const draw = (): void => void render(fieldsOf(typed, names, draw), fields);
+  const draw = (): void => void render(fieldsOf(typed, offered, draw), fields);
   const drawResult = (): void => void render(view ? resultOf(view, result.clientWidth) : nothing, result);
   const aside = createAside(() => core.module, take);
   /** What was running is over. */

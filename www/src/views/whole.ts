@@ -20,6 +20,7 @@ import { provenOf } from "./certain";
 import { csv } from "./csv";
 import { createProtocol, type ProtocolWays } from "./protocol";
 import { type RecordShown, recordOf, recordText } from "./record";
+import { createTitles } from "./record-titles";
 import { type CertainWays, createWholeCertain, spreadOf, type WholeCertain } from "./whole-certain";
 
 type Row = RunView["answers"][number];
@@ -230,7 +231,8 @@ export function createWhole(
     arrange();
     store.update({});
   });
-  root.append(protocol.root, error, certain.status, table);
+  const titles = createTitles(store);
+  root.append(protocol.root, error, titles.root, certain.status, table);
   /** What was measured on the real machine, else what was simulated. */
   const shown = (): RecordShown | null => run && (protocol.view ? { ...protocol.view, files: run.files } : run);
   const rows = (): Row[] => shown()?.answers ?? [];
@@ -422,6 +424,7 @@ export function createWhole(
       file = fileOf(state).name;
       const shownIn = language();
       protocol.draw(state, derived);
+      titles.draw(state, derived.run?.about.machine ?? "");
       if (run !== derived.run || spoken !== shownIn) {
         if (run !== derived.run) certain.forget();
         run = derived.run;

@@ -67,6 +67,30 @@ pub fn corrected(entries: &[Entry], control: &Control) -> Vec<Correction> {
     all.into_iter().filter_map(|(target, parts)| made(target, parts)).chain(probe(entries)).collect()
 }
 
+/// A datum that a call corrected, in mm.
+pub struct CorrectedDatum {
+    /// Its name: `$TC_DP15[20,1]`.
+    pub variable: String,
+    /// What is corrected.
+    pub target: Message,
+    /// Axis, length or radius.
+    pub part: String,
+    /// Whether it is a frame.
+    pub frame: bool,
+    /// After minus before, mm.
+    pub by: f64,
+}
+
+/// The lengths that the steps of a call corrected, each by its name.
+pub fn corrected_data(entries: &[Entry], control: &Control) -> Vec<CorrectedDatum> {
+    let datum = |(name, by): (&str, f64)| {
+        let Place { target, part, angle, .. } = place(control, name)?;
+        let frame = target.key == "answer-frame";
+        (!angle).then(|| CorrectedDatum { variable: name.to_owned(), target, part, frame, by })
+    };
+    changes(entries).into_iter().filter_map(datum).collect()
+}
+
 /// A frame of which only the fine part changed says so.
 fn made(target: Message, parts: Vec<(Part, bool)>) -> Option<Correction> {
     let fine = parts.iter().all(|(_, fine)| *fine);

@@ -10,8 +10,8 @@ mod screen_tests;
 #[cfg(test)]
 mod tests;
 
-pub(super) use corrected::corrected;
 pub use corrected::{Correction, Part};
+pub(super) use corrected::{corrected, corrected_data};
 pub use figures::Figure;
 pub use gauge::{Band, BandKind, Gauge, Limited, Mark, Needle};
 pub(super) use measured::{Deviates, Value, Values, deviates, measured};
@@ -112,7 +112,7 @@ pub(super) fn answer(called: &Called, outcome: &run::Outcome) -> Answer {
     let (verdict, alarm) = verdict(inputs, stop, raised, over, gauge.is_some());
     Answer {
         feature: feature(inputs),
-        screen: screen::screen(inputs, entries, called.at, &outcome.control),
+        screen: screen::screen(inputs, entries, (called.at, asked(called, entries.len(), outcome)), &outcome.control),
         corrected: corrected::corrected(entries, &outcome.control),
         verdict,
         verdict_words: words(verdict, alarm),
@@ -121,6 +121,15 @@ pub(super) fn answer(called: &Called, outcome: &run::Outcome) -> Answer {
         figures: sorts.into_iter().map(|(_, figure)| figure).collect(),
         gauge,
     }
+}
+
+/// The screen that the program shows between the end of a call and the next one: its index in the trace.
+fn asked(called: &Called, length: usize, outcome: &run::Outcome) -> Option<(usize, ScreenUntil)> {
+    let from = called.at + length;
+    let next = outcome.called.partition_point(|other| other.at < from);
+    let until = outcome.called.get(next).map_or(usize::MAX, |next| next.at);
+    let mut steps = outcome.trace.entries.others_behind(from).take_while(|other| other.at < until);
+    steps.find_map(|other| Some((other.at, screen::shown(other.step)?)))
 }
 
 /// What is measured; where that is not known, the cycle.

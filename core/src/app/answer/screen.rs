@@ -2,6 +2,7 @@
 //! measurement with `_CHBIT[10]` = 1; with `_CHBIT[11]` it waits for NC start, with `_CHBIT[18]` it stays until the
 //! next measuring cycle.
 
+use crate::catalogue::log;
 use crate::check::upkeep::{SCREEN, SCREEN_HALTS, SCREEN_STAYS};
 use crate::control::Control;
 use crate::entry::{Inputs, ProbeUse, ResultField, unit_name};
@@ -27,6 +28,8 @@ pub struct ResultScreen {
     pub rows: Vec<ScreenRow>,
     /// Single values below, in the order of the manual's list.
     pub values: Vec<ScreenValue>,
+    /// Decimals of its values: `_DIGIT`, the display precision (B:11443, B:13174).
+    pub digits: u32,
     /// How long it is shown.
     pub until: ScreenUntil,
     /// Index of the entry of the trace with which it appears.
@@ -77,6 +80,9 @@ pub enum ScreenUntil {
     Next,
 }
 
+/// Most decimals that are shown.
+const MOST_DIGITS: f64 = 9.0;
+
 /// A sort of screens: the key of its title, how the names of its rows begin, the names of its single values.
 struct Family {
     title: &'static str,
@@ -109,9 +115,16 @@ const WORKPIECE: Family = Family {
     ],
 };
 
-/// The screen that a call showed; none: it showed none. `from`: index of its first entry of the trace.
-pub fn screen(inputs: &Inputs, entries: &[Entry], from: usize, control: &Control) -> Option<ResultScreen> {
-    let (place, until) = entries.iter().enumerate().find_map(|(at, entry)| Some((at, shown(&entry.step)?)))?;
+/// The screen that a call showed, or that the program asks for behind it (CYCLE102); none: it showed none. `from`:
+/// index of its first entry of the trace; `asked`: what the program asks for, with its index.
+pub fn screen(
+    inputs: &Inputs,
+    entries: &[Entry],
+    (from, asked): (usize, Option<(usize, ScreenUntil)>),
+    control: &Control,
+) -> Option<ResultScreen> {
+    let own = entries.iter().enumerate().find_map(|(at, entry)| Some((from + at, shown(&entry.step)?)));
+    let (at, until) = own.or(asked)?;
     let family = family(inputs);
     let fields: Vec<&ResultField> = inputs.cycle.results.iter().filter(|field| field.when.holds(inputs)).collect();
     let value = |field: &ResultField| written(entries, field.name).unwrap_or_else(|| control.number(field.name));
@@ -135,13 +148,14 @@ pub fn screen(inputs: &Inputs, entries: &[Entry], from: usize, control: &Control
         measures: Message::new(name(inputs)),
         rows: rows(&fields, family.rows, &value, control),
         values: family.values.iter().flat_map(single).collect(),
+        digits: control.number(log::DIGITS.as_str()).clamp(0.0, MOST_DIGITS) as u32,
         until,
-        at: from + place,
+        at,
     })
 }
 
 /// Whether a step shows a screen, and how long.
-fn shown(step: &Step) -> Option<ScreenUntil> {
+pub fn shown(step: &Step) -> Option<ScreenUntil> {
     let Step::Decision { message } = step else { return None };
     match &*message.key {
         SCREEN => Some(ScreenUntil::End),

@@ -59,6 +59,7 @@ fn outcome(
         comments: None,
         written: None,
         style: None,
+        measured: Vec::new(),
         predict: true,
         limits: false,
         twin: false,

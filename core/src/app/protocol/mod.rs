@@ -3,6 +3,7 @@
 
 mod arrows;
 mod fit;
+mod heads;
 #[cfg(test)]
 mod tests;
 mod text;
@@ -17,44 +18,50 @@ use crate::machine::Setup;
 use crate::message::{Message, printable};
 use crate::refused::Path;
 use crate::run::Outcome;
-use fit::Fit;
+use fit::{Fit, Quantity};
+use heads::HEAD;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use text::{Line, lines};
 
+/// Characters from which it is told whether a file is text.
+const LOOKED_AT: usize = 4096;
 /// Most lines of a protocol.
 const MOST: usize = 1_000_000;
-/// Lines in which the headings of a table are looked for.
-const HEAD: usize = 100;
-
 /// A protocol, and the program that it is about.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
 pub struct ProtocolRequest {
     /// The program and the machine.
     pub run: RunRequest,
-    /// The protocol.
-    pub protocol: String,
+    /// The files of the protocol in their order: a log goes on in files that follow.
+    pub protocol: Vec<String>,
     /// What stands in which column; absent: the figures of a line tell it.
     pub columns: Option<ProtocolColumns>,
 }
 
 /// Columns of a table, each by its heading or its number from 1.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
 pub struct ProtocolColumns {
     /// Number of the call, from 1.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub number: Option<String>,
     /// Line of the call in the program.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub line: Option<String>,
     /// Name of the result: `_OVR[4]`.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub result: Option<String>,
     /// Setpoint.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub nominal: Option<String>,
     /// Actual value.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub actual: Option<String>,
     /// Actual value minus setpoint.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub deviation: Option<String>,
 }
 
@@ -76,15 +83,20 @@ pub struct ProtocolView {
     pub unfit: Vec<UnfitLine>,
     /// How the faces that were touched lie, in their order.
     pub arrows: Vec<Arrow>,
-    /// Fields of the first line of the protocol: names of its columns, where it is a table.
+    /// Fields of the line with the headings, else of the first line of the protocol: names of its columns, where it is
+    /// a table.
     pub heads: Vec<String>,
+    /// What stands in which column, each by its number, where nobody chose it and the headings tell it.
+    pub recognised: ProtocolColumns,
 }
 
 /// A line of a protocol that fits no call.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub struct UnfitLine {
-    /// Number of the line, from 1.
+    /// Index of the file.
+    pub file: usize,
+    /// Number of the line in it, from 1.
     pub line: u32,
     /// What stands in it, shortened.
     pub text: String,
@@ -126,7 +138,7 @@ pub fn protocol(asked: ProtocolRequest) -> Result<ProtocolView, Error> {
 /// # Errors
 /// The protocol has nothing to read: why.
 pub fn laid(
-    text: &str,
+    texts: &[impl AsRef<str>],
     columns: Option<&ProtocolColumns>,
     setup: &Setup,
     outcome: &Outcome,
@@ -135,29 +147,36 @@ pub fn laid(
     if calls.is_empty() {
         return Err(refused("protocol-no-calls"));
     }
-    let lines = lines(text);
+    if texts.iter().any(|text| is_binary(text.as_ref())) {
+        return Err(refused("protocol-no-text"));
+    }
+    let lines: Vec<Line> = texts.iter().enumerate().flat_map(|(file, text)| lines(file, text.as_ref())).collect();
     if lines.len() > MOST {
         return Err(Error::new("protocol-large", Path::default()).number("most", MOST as f64));
     }
-    let heads = lines.first().ok_or_else(|| refused("protocol-empty"))?.fields.clone();
-    let columns = columns.map(|names| Columns::of(names, &lines)).transpose()?;
+    let first = lines.first().ok_or_else(|| refused("protocol-empty"))?;
     let variants: Vec<i64> = outcome.called.iter().map(|called| called.inputs.variant).collect();
-    let mut fit = Fit::new(&calls, &variants);
-    let (mut fitted, mut unfit) = (0, Vec::new());
-    let behind = columns.as_ref().map_or(0, |(_, behind)| *behind);
-    for (at, line) in lines.iter().enumerate() {
-        let tried = match &columns {
-            Some(_) if at < behind => continue,
-            Some((columns, _)) => fit.row(line, columns),
-            None => fit.plain(line),
-        };
-        match tried {
-            Ok(()) => fitted += 1,
-            Err(why) => unfit.push(UnfitLine { line: line.number, text: printable(&line.text), why }),
+    let lay = |columns: Option<(Columns, usize)>| Lay::of(&lines, columns.as_ref(), Fit::new(&calls, &variants));
+    let (mut heads, mut recognised) = (first.fields.clone(), ProtocolColumns::default());
+    let laid = match columns {
+        Some(names) => lay(Some(Columns::of(names, &lines)?)),
+        None => {
+            let plain = lay(None);
+            let known =
+                heads::recognised(&lines).and_then(|(names, line)| Some((Columns::of(&names, &lines).ok()?, line)));
+            let by_heads = known.map(|(columns, line)| (columns.0.numbers(), line, lay(Some(columns))));
+            match by_heads.filter(|(.., by_heads)| by_heads.fitted > plain.fitted) {
+                Some((numbers, line, by_heads)) => {
+                    (heads, recognised) = (line.fields.clone(), numbers);
+                    by_heads
+                }
+                None => plain,
+            }
         }
-    }
+    };
+    let Lay { quantities, fitted, unfit } = laid;
     let mut values: BTreeMap<usize, Values> = BTreeMap::new();
-    for one in &fit.quantities {
+    for one in &quantities {
         if let Some(actual) = one.actual {
             values.entry(one.call).or_default().insert(one.name, Value { actual, set: one.told });
         }
@@ -168,7 +187,42 @@ pub fn laid(
     let about = RecordAbout::measured(setup);
     let counts = Message::new("protocol-ending").number("fitted", fitted as f64).number("unfit", unfit.len() as f64);
     let ending = counts.number("missing", missing as f64);
-    Ok(ProtocolView { answers, about, ending, fitted, missing, unfit, arrows, heads })
+    Ok(ProtocolView { answers, about, ending, fitted, missing, unfit, arrows, heads, recognised })
+}
+
+/// Whether a file is none of text: a picture, a program of a computer.
+fn is_binary(text: &str) -> bool {
+    let odd = |c: char| c == '\0' || c == char::REPLACEMENT_CHARACTER || c.is_control() && !c.is_ascii_whitespace();
+    let (odd, count) =
+        text.chars().take(LOOKED_AT).fold((0, 0), |(all, count), c| (all + usize::from(odd(c)), count + 1));
+    text.chars().take(LOOKED_AT).any(|c| c == '\0') || 10 * odd > count
+}
+
+/// Lines of a protocol as they were laid.
+struct Lay {
+    quantities: Vec<Quantity>,
+    fitted: usize,
+    unfit: Vec<UnfitLine>,
+}
+
+impl Lay {
+    /// With the columns and the number of lines above their values; none: the figures of a line tell what they are.
+    fn of(lines: &[Line], columns: Option<&(Columns, usize)>, mut fit: Fit) -> Lay {
+        let (mut fitted, mut unfit) = (0, Vec::new());
+        for (at, line) in lines.iter().enumerate() {
+            let tried = match columns {
+                Some((_, behind)) if at < *behind => continue,
+                Some((columns, _)) => fit.row(line, columns),
+                None => fit.plain(line),
+            };
+            let Line { file, number, .. } = *line;
+            match tried {
+                Ok(()) => fitted += 1,
+                Err(why) => unfit.push(UnfitLine { file, line: number, text: printable(&line.text), why }),
+            }
+        }
+        Lay { quantities: fit.quantities, fitted, unfit }
+    }
 }
 
 /// The answers with the values of the protocol in the place of those of the run.
@@ -188,6 +242,19 @@ fn refused(key: &'static str) -> Error {
 }
 
 impl Columns {
+    /// Each by its number from 1.
+    fn numbers(&self) -> ProtocolColumns {
+        let number = |column: &Option<Column>| column.as_ref().map(|column| (column.index + 1).to_string());
+        ProtocolColumns {
+            number: number(&self.number),
+            line: number(&self.line),
+            result: number(&self.result),
+            nominal: number(&self.nominal),
+            actual: number(&self.actual),
+            deviation: number(&self.deviation),
+        }
+    }
+
     /// The columns that are named, and how many lines stand above their values.
     fn of(names: &ProtocolColumns, lines: &[Line]) -> Result<(Columns, usize), Error> {
         let all = [&names.number, &names.line, &names.result, &names.nominal, &names.actual, &names.deviation];

@@ -55,7 +55,7 @@ fn near(one: &[f64], other: &[f64], by: f64) -> bool {
 /// Laid onto a machine whose part has no errors.
 fn onto_nominal(text: &str, columns: Option<&ProtocolColumns>) -> Result<ProtocolView, Error> {
     let nominal = machine(0.0, [0.0; 2]);
-    laid(text, columns, &nominal, &run(&nominal))
+    laid(&[text], columns, &nominal, &run(&nominal))
 }
 
 // oracle: hand: what the machine measured whose log or table is read; the log has three decimals
@@ -117,7 +117,7 @@ fn laid_onto(program: &str, real: &Setup, nominal: &Setup) -> (Vec<Arrow>, Vec<M
     let outcome = run(real);
     assert!(outcome.finished(), "{:?}", outcome.stop);
     let record = Record::new(String::new(), real, &outcome, Vec::new());
-    let view = laid(&csv(&record, &plain), None, nominal, &run(nominal)).unwrap();
+    let view = laid(&[csv(&record, &plain)], None, nominal, &run(nominal)).unwrap();
     let entries = outcome.trace.entries.to_vec().into_iter();
     let touched = entries.filter_map(|one| if let Step::Touch { point, .. } = one.step { Some(point) } else { None });
     (view.arrows, touched.collect())
@@ -179,6 +179,47 @@ fn chosen_columns_say_what_stands_where() {
     assert!(near(&values(&view.answers), &[50.01, 0.01, 50.02], 1e-9), "{:?}", view.unfit);
 }
 
+// oracle: hand: tables with headings of their own say what stands where; figures alone would not
+#[test]
+fn headings_of_a_table_are_recognised() {
+    let line = 1 + PROGRAM.lines().position(|line| line == "CYCLE977").unwrap();
+    let next = line + 1;
+    for text in [
+        format!("Part 7\nLine;Actual\n{line};50.02\n{next};50.04\n"),
+        format!("Zeile;Istwert [mm]\n{line};50,02\n{next};50,04\n"),
+        format!("行;实际值\n{line};50.02\n{next};50.04\n"),
+        format!("Program line\tDeviation\tNominal\n{line}\t0.02\t50\n{next}\t0.04\t50\n"),
+    ] {
+        let view = onto_nominal(&text, None).unwrap();
+        let sizes: Vec<f64> = values(&view.answers[..2]);
+        assert!(near(&sizes, &[50.02, 50.04], 1e-9), "{text} {:?}", view.unfit);
+        assert_eq!((view.recognised.line.as_deref(), view.unfit.len()), (Some("1"), 0), "{text}");
+    }
+    assert_eq!(onto_nominal("50 50.02\n", None).unwrap().recognised, ProtocolColumns::default());
+}
+
+// oracle: hand: a log that goes on in a second file is the log in one; a line is told with its file
+#[test]
+fn files_of_a_protocol_are_read_together() {
+    let real = machine(0.06, [0.03, -0.02]);
+    let outcome = run(&real);
+    let (_, log) = outcome.files.iter().next().unwrap();
+    let nominal = machine(0.0, [0.0; 2]);
+    let of = |texts: &[String]| laid(texts, None, &nominal, &run(&nominal)).unwrap();
+    let whole = of(&[log.join("\n")]);
+    let cut = log.iter().rposition(|line| line.contains("_MVAR")).unwrap();
+    let parts = of(&[log[..cut].join("\n"), format!("what\n{}", log[cut..].join("\n"))]);
+    assert_eq!(values(&parts.answers), values(&whole.answers));
+    assert_eq!(parts.unfit.last().map(|one| (one.file, one.line)), Some((1, 1)));
+}
+
+// oracle: hand
+#[test]
+fn a_picture_is_no_protocol() {
+    let picture = String::from_utf8_lossy(b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\x01\0").into_owned();
+    assert_eq!(onto_nominal(&picture, None).unwrap_err().message.key, "protocol-no-text");
+}
+
 // oracle: hand: each line that is not laid is told, with its number and why
 #[test]
 fn no_line_is_dropped() {
@@ -219,7 +260,7 @@ fn a_protocol_with_nothing_to_read_is_refused() {
     assert_eq!(key("a;b\n1;2\n", Some(columns(&[("nominal", "a")]))), "protocol-no-actual");
     let air = machine(0.0, [0.0; 2]);
     let nothing = Session::new(syntax::read(Dialect::Sinumerik, b"M30\n"), &air, Limits::default()).complete();
-    assert_eq!(laid("50 50", None, &air, &nothing).unwrap_err().message.key, "protocol-no-calls");
+    assert_eq!(laid(&["50 50"], None, &air, &nothing).unwrap_err().message.key, "protocol-no-calls");
 }
 
 // oracle: hand

@@ -5,6 +5,8 @@ use crate::foreign::{self, LogRow};
 /// A line of a protocol.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Line {
+    /// Index of the file.
+    pub file: usize,
     /// Number of the line, from 1.
     pub number: u32,
     /// As it is.
@@ -28,10 +30,10 @@ const LOOKED_AT: usize = 200;
 const UNITS: [&str; 5] = ["mm", "inch", "in", "°", "deg"];
 
 /// The lines in which something stands; of the log of a control whose figures stand in groups, a line each quantity.
-pub fn lines(text: &str) -> Vec<Line> {
+pub fn lines(file: usize, text: &str) -> Vec<Line> {
     let text = text.trim_start_matches('\u{feff}');
     if let Some((_, logs)) = foreign::logs(text) {
-        return logs.into_iter().flat_map(|log| log.rows).map(of_row).collect();
+        return logs.into_iter().flat_map(|log| log.rows).map(|row| of_row(file, row)).collect();
     }
     let all = || text.lines().filter(|line| line.contains(char::is_alphanumeric));
     let parted = [';', '\t', ','].into_iter().find(|sign| {
@@ -41,13 +43,13 @@ pub fn lines(text: &str) -> Vec<Line> {
         2 * with > count || (*sign == ',' && with > 0)
     });
     let numbered = text.lines().zip(1..).filter(|(line, _)| line.contains(char::is_alphanumeric));
-    numbered.map(|(line, number)| Line { number, text: line.to_owned(), fields: fields(line, parted) }).collect()
+    numbered.map(|(line, number)| Line { file, number, text: line.to_owned(), fields: fields(line, parted) }).collect()
 }
 
 /// A quantity of such a log: its name, set value, actual value and deviation.
-fn of_row(row: LogRow) -> Line {
+fn of_row(file: usize, row: LogRow) -> Line {
     let fields = vec![row.label, row.nominal, row.actual, row.deviation];
-    Line { number: row.line, text: fields.join(" "), fields }
+    Line { file, number: row.line, text: fields.join(" "), fields }
 }
 
 /// The fields of a line, in quotes or not; without a sign between them blanks part them.

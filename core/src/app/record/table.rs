@@ -7,15 +7,18 @@ use crate::app::run::RunAnswer;
 use crate::message::Message;
 
 /// The columns in their order; each heading is `record-column-…`.
-pub const COLUMNS: [&str; 18] = [
+pub const COLUMNS: [&str; 19] = [
     "number", "line", "cycle", "feature", "quantity", "nominal", "low", "high", "actual", "deviation", "used", "unit",
-    "verdict", "corrects", "probe", "calibration", "alarms", "why",
+    "within", "verdict", "corrects", "probe", "calibration", "alarms", "why",
 ];
 
 /// So that spreadsheets see that it is UTF-8.
 const MARK: char = '\u{feff}';
 /// Decimals of a value, without needless zeros.
 const DECIMALS: usize = 6;
+
+/// How far a deviation on a limit may be off by calculation.
+const ON: f64 = 1e-6;
 
 /// How a table is written.
 struct Written<'a> {
@@ -41,7 +44,7 @@ pub fn csv(record: &Record, say: &dyn Fn(&Message) -> String) -> String {
 }
 
 impl Written<'_> {
-    fn row(&self, index: usize, call: &RunAnswer, figure: Option<&Figure>, files: &[RecordFile]) -> [String; 18] {
+    fn row(&self, index: usize, call: &RunAnswer, figure: Option<&Figure>, files: &[RecordFile]) -> [String; 19] {
         let RunAnswer { answer, call: at, probe, alarms, .. } = call;
         let limits = figure.and_then(|figure| figure.limits);
         let say = self.say;
@@ -58,6 +61,7 @@ impl Written<'_> {
             self.number(figure.and_then(|figure| figure.deviation)),
             self.number(limits.and_then(|limits| limits.used)),
             figure.map_or("", |figure| unit(figure.unit)).to_owned(),
+            self.key(held(figure)),
             say(&answer.verdict_words),
             self.corrected(&answer.corrected),
             say(&probe.name),
@@ -101,6 +105,14 @@ impl Written<'_> {
         }
         text.push_str("\r\n");
     }
+}
+
+/// Key of whether a quantity by itself is within its limits.
+fn held(figure: Option<&Figure>) -> &'static str {
+    let limited = figure.and_then(|figure| Some((figure.limits?, figure.deviation?)));
+    let Some((limits, deviation)) = limited else { return "record-unlimited" };
+    let within = limits.low - ON..=limits.high + ON;
+    if within.contains(&deviation) { "record-within" } else { "record-beyond" }
 }
 
 /// A unit as it is read everywhere.

@@ -91,6 +91,8 @@ fn the_table_has_a_line_for_each_quantity() {
         let numbers = ["50.025", "-0.075", "0.075", "50.055", "0.03", "0.4"].map(|number| number.replace('.', sign));
         assert_eq!(row[..3], ["1", "6", "CYCLE977"], "{text}");
         assert_eq!(row[5..11], numbers, "{text}");
+        let within = |line: &str| line.split(parted).nth(12).unwrap().to_owned();
+        assert_eq!([within(lines[1]), within(lines[2])], ["record-within", "record-unlimited"], "each by itself");
     }
 }
 

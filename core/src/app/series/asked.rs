@@ -1,5 +1,6 @@
 //! A series as the page asks for it.
 
+use super::offered::{SeriesFollow, SeriesPreset, offered};
 use super::{SeriesView, WORK, example, series};
 use crate::app::beside::{Beside, Whole};
 use crate::app::start::{Machine, start};
@@ -43,6 +44,10 @@ pub struct SeriesStart {
     pub series: Series,
     /// What can vary of its parts and probe.
     pub names: Vec<SeriesName>,
+    /// Corrections of the program that reach the next part.
+    pub follows: Vec<SeriesFollow>,
+    /// Variations that are complete: wear of a tool, a part that gets warm.
+    pub presets: Vec<SeriesPreset>,
     /// How to choose the limits of a correction, a paragraph each.
     pub help: Vec<Message>,
     /// The example of the manual.
@@ -103,7 +108,9 @@ pub fn series_start(mut asked: SeriesRequest) -> Result<SeriesStart, Error> {
         SeriesName { name, label: Message::new(label), part }
     };
     let names = draw::variables(&setup).into_iter().map(named).collect();
-    Ok(SeriesStart { names, series: setup.series, help, example })
+    let prepared = read(setup, asked);
+    let (follows, presets) = offered(&prepared);
+    Ok(SeriesStart { names, series: prepared.setup.series, follows, presets, help, example })
 }
 
 /// A program that is ready to be run many times.
@@ -136,10 +143,15 @@ pub(in crate::app) fn prepared(mut asked: SeriesRequest) -> Result<Prepared, Err
     let setup = machine(&mut asked)?;
     setup.varies()?;
     draw::known(&setup)?;
+    Ok(read(setup, asked))
+}
+
+/// A program that was read, on its machine.
+fn read(setup: Setup, asked: SeriesRequest) -> Prepared {
     let whole = Whole::new(asked.control, asked.text, asked.with);
     let macros = Arc::clone(&setup.control.definitions.macros);
     let program = syntax::read_held(whole.dialect(), whole.text(), &macros, &mut |_| {});
-    Ok(Prepared { setup, program: program.into(), main: asked.program })
+    Prepared { setup, program: program.into(), main: asked.program }
 }
 
 /// Runs a program many times. `told`: hears which share is done.

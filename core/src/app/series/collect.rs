@@ -2,7 +2,7 @@
 
 use super::{
     COURSE, SeriesAlarm, SeriesCall, SeriesCorrection, SeriesFigure, SeriesMemory, SeriesShare, SeriesSpread,
-    SeriesView,
+    SeriesView, SeriesWeight,
 };
 use crate::app::answer::{Figure, Limited, Verdict};
 use crate::app::outcome::{Raised, alarms};
@@ -36,6 +36,7 @@ pub(super) struct Collected {
 struct Call {
     call: OfCall,
     feature: Message,
+    weight: Option<SeriesWeight>,
     figures: Vec<Column>,
     corrected: Vec<Corrected>,
     verdicts: Vec<(Verdict, Message, usize)>,
@@ -68,7 +69,7 @@ impl Collected {
         for (index, answer) in answers(setup, outcome).into_iter().take(CALLS).enumerate() {
             let called = &outcome.called[index];
             if index == self.calls.len() {
-                self.calls.push(Call::new(&answer, memories(&called.inputs, called.units)));
+                self.calls.push(Call::new(&answer, &called.inputs, called.units));
             }
             self.calls[index].add(self.runs, answer);
             self.calls[index].remember(self.runs, &outcome.control, called.units);
@@ -121,9 +122,13 @@ fn memories(inputs: &Inputs, units: Units) -> Vec<SeriesMemory> {
 }
 
 impl Call {
-    fn new(answer: &RunAnswer, memories: Vec<SeriesMemory>) -> Call {
+    fn new(answer: &RunAnswer, inputs: &Inputs, units: Units) -> Call {
         let (figures, corrected, verdicts) = (Vec::new(), Vec::new(), Vec::new());
-        Call { call: answer.call, feature: answer.answer.feature.clone(), figures, corrected, verdicts, memories }
+        let (call, feature, memories) = (answer.call, answer.answer.feature.clone(), memories(inputs, units));
+        let kept = memories.iter().any(|memory| memory.mean);
+        let value = inputs.any(names::K).filter(|_| kept);
+        let weight = value.map(|value| SeriesWeight { name: names::K.as_str(), value });
+        Call { call, feature, weight, figures, corrected, verdicts, memories }
     }
 
     /// What the memories hold after this run.
@@ -180,6 +185,7 @@ impl Call {
         SeriesCall {
             call: self.call,
             feature: self.feature,
+            weight: self.weight,
             measured: self.figures.into_iter().map(Column::view).collect(),
             corrected: self.corrected.into_iter().map(corrected).collect(),
             verdicts,

@@ -3,6 +3,7 @@
 mod asked;
 mod collect;
 mod example;
+mod offered;
 #[cfg(test)]
 mod tests;
 
@@ -19,6 +20,7 @@ use crate::series::spread::Spread;
 pub(in crate::app) use asked::prepared;
 pub use asked::{Prepared, SeriesExample, SeriesName, SeriesRequest, SeriesStart, series_of, series_start};
 use collect::Collected;
+pub use offered::{SeriesFollow, SeriesPreset};
 use serde::Serialize;
 
 /// How the results of a program spread over many runs.
@@ -58,10 +60,23 @@ pub struct SeriesCall {
     #[serde(skip_serializing_if = "Vec::is_empty")]
     #[cfg_attr(test, ts(optional, as = "Option<Vec<SeriesShare>>"))]
     pub uncorrected: Vec<SeriesShare>,
+    /// Weight of its mean value, where it keeps one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub weight: Option<SeriesWeight>,
     /// Mean and empirical value after each run, where the call has a memory for them.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     #[cfg_attr(test, ts(optional, as = "Option<Vec<SeriesMemory>>"))]
     pub memories: Vec<SeriesMemory>,
+}
+
+/// The weight with which a call forms its mean value (B:1244-1263).
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct SeriesWeight {
+    /// The parameter that has it.
+    pub name: &'static str,
+    /// Its value.
+    pub value: f64,
 }
 
 /// A memory of the control over the first runs.

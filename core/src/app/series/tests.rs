@@ -205,3 +205,53 @@ fn example_asked() -> SeriesRequest {
     let (setup, program, with, series, example) = (None, None, None, None, None);
     SeriesRequest { control: Dialect::Sinumerik, text, setup, program, with, series, example }
 }
+
+/// What is offered for a program on its machine.
+fn start((program, setup): &(Rc<Program>, Setup)) -> (Vec<SeriesFollow>, Vec<SeriesPreset>) {
+    offered::offered(&Prepared { setup: setup.clone(), program: Rc::clone(program), main: None })
+}
+
+// oracle: hand (a hole gets smaller by twice what the radius of its cutter is taken larger), closed loop: with the
+// correction that is offered a hole that is made too large comes right at the next part
+#[test]
+fn a_correction_of_the_program_is_offered_and_closes_the_loop() {
+    let mut made = hole("_TMV=0.02 _TZL=0.001 _K=1", Vec::new(), 6, Mode::Production);
+    let (follows, presets) = start(&made);
+    let of_size: Vec<_> = follows.iter().filter(|one| one.what == "workpiece[0].errors.size").collect();
+    assert_eq!(of_size.len(), 1, "{follows:?}");
+    assert_eq!((of_size[0].variable.as_str(), of_size[0].factor), ("$TC_DP15[20,1]", -2.0));
+    assert_eq!(of_size[0].part, "R");
+    let wear = presets.iter().find(|one| one.of.is_some()).unwrap();
+    assert!(wear.vary.drift < 0.0, "a worn cutter makes a hole smaller: {wear:?}");
+    made.1.series.vary = vec![Vary { mean: 0.02, ..wear.vary.clone() }];
+    let sizes = ran(&made).calls[0].measured[0].course.clone();
+    assert!((sizes[0].unwrap() - 50.02).abs() < 1e-6 && (sizes[1].unwrap() - 50.0).abs() < 0.002, "{sizes:?}");
+    made.1.series.vary[0].follows.clear();
+    let sizes = ran(&made).calls[0].measured[0].course.clone();
+    assert!((sizes[5].unwrap() - 50.015).abs() < 1e-6, "without it nothing comes back: {sizes:?}");
+}
+
+// oracle: hand: steel of 50 mm grows by 50·11.5 µm/m·K
+#[test]
+fn a_part_that_gets_warm_grows() {
+    let mut made = hole(WIDE, Vec::new(), 3, Mode::Independent);
+    let (_, presets) = start(&made);
+    let warm = presets.iter().find(|one| one.vary.what == draw::WARMTH).unwrap().vary.clone();
+    made.1.series.vary = vec![Vary { drift: 10.0, ..warm }];
+    let sizes = ran(&made).calls[0].measured[0].course.clone();
+    for (part, size) in sizes.iter().enumerate() {
+        let expected = 50.0 * (1.0 + 11.5e-6 * 10.0 * part as f64);
+        assert!((size.unwrap() - expected).abs() < 1e-6, "{sizes:?}");
+    }
+}
+
+// oracle: hand: what is offered can be set as it is
+#[test]
+fn all_that_is_offered_is_known_to_the_machine() {
+    let mut made = hole(WIDE, Vec::new(), 2, Mode::Production);
+    let (follows, presets) = start(&made);
+    let follow = |one: SeriesFollow| Vary { follows: [(one.variable, one.factor)].into(), ..size(0.0, 0.0) };
+    made.1.series.vary = presets.into_iter().map(|one| one.vary).chain(follows.into_iter().map(follow)).collect();
+    assert!(made.1.series.vary.len() >= 2);
+    draw::known(&made.1).unwrap();
+}

@@ -13,36 +13,41 @@ use std::path::PathBuf;
 #[derive(clap::Args)]
 pub struct Named {
     #[arg(long, value_name = "FILE")]
-    measured: Option<PathBuf>,
+    measured: Vec<PathBuf>,
     #[arg(long, value_name = "COLUMNS", num_args = 1.., requires = "measured")]
     columns: Vec<String>,
 }
 
 /// A protocol that was read.
 pub struct Protocol {
-    path: PathBuf,
-    text: String,
+    paths: Vec<PathBuf>,
+    texts: Vec<String>,
     columns: Option<ProtocolColumns>,
 }
 
 /// A protocol laid onto the calls of a program.
 pub struct Laid {
-    path: PathBuf,
+    paths: Vec<PathBuf>,
     pub view: ProtocolView,
 }
 
 impl Named {
     /// Whether a protocol is named.
     pub fn given(&self) -> bool {
-        self.measured.is_some()
+        !self.measured.is_empty()
     }
 
     /// Reads the protocol, whatever it is written in.
     pub fn read(&self) -> Result<Option<Protocol>, Problem> {
-        let Some(path) = &self.measured else { return Ok(None) };
-        file::bytes(path)?; // whether it can be read at all
-        let no_text = |_| file::wrong_file(path, Message::new("protocol-no-text"));
-        let text = String::from_utf8_lossy(&file::program(path).map_err(no_text)?).into_owned();
+        if self.measured.is_empty() {
+            return Ok(None);
+        }
+        let read = |path: &PathBuf| {
+            file::bytes(path)?; // whether it can be read at all
+            let no_text = |_| file::wrong_file(path, Message::new("protocol-no-text"));
+            Ok(String::from_utf8_lossy(&file::program(path).map_err(no_text)?).into_owned())
+        };
+        let texts = self.measured.iter().map(read).collect::<Result<Vec<String>, Problem>>()?;
         let mut columns = ProtocolColumns::default();
         for text in &self.columns {
             let wrong = || file::wrong(Message::new("terminal-column").text("text", printable(text)));
@@ -59,23 +64,24 @@ impl Named {
             *place = Some(column.trim().to_owned());
         }
         let columns = (!self.columns.is_empty()).then_some(columns);
-        Ok(Some(Protocol { path: path.clone(), text, columns }))
+        Ok(Some(Protocol { paths: self.measured.clone(), texts, columns }))
     }
 }
 
 impl Protocol {
     /// Lays it onto what a program measured in a run.
     pub fn laid(self, setup: &Setup, outcome: &Outcome) -> Result<Laid, Problem> {
-        let view = laid(&self.text, self.columns.as_ref(), setup, outcome);
-        let view = view.map_err(|refused| file::wrong_file(&self.path, refused.message))?;
-        Ok(Laid { path: self.path, view })
+        let view = laid(&self.texts, self.columns.as_ref(), setup, outcome);
+        let view = view.map_err(|refused| file::wrong_file(&self.paths[0], refused.message))?;
+        Ok(Laid { paths: self.paths, view })
     }
 }
 
 impl Laid {
     /// Says what each call came to, which lines fit none, and how many; whether something fits.
     pub fn print(&self, words: &Words, out: &mut dyn Write) -> std::io::Result<bool> {
-        let path = self.path.display();
+        let shown = |file: usize| self.paths.get(file).map(|path| path.display().to_string()).unwrap_or_default();
+        let path = shown(0);
         for answer in &self.view.answers {
             let of_call = &answer.answer;
             for figure in &of_call.figures {
@@ -86,7 +92,7 @@ impl Laid {
             }
         }
         for one in &self.view.unfit {
-            writeln!(out, "{path}:{}: {} | {}", one.line, words.text(&one.why), one.text)?;
+            writeln!(out, "{}:{}: {} | {}", shown(one.file), one.line, words.text(&one.why), one.text)?;
         }
         writeln!(out, "{path}: {}", words.text(&self.view.ending))?;
         Ok(self.view.fitted > 0)

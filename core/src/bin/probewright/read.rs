@@ -3,11 +3,14 @@
 use crate::file::{self, Control, Problem};
 use crate::foreign;
 use crate::joined::Joined;
-use probewright_core::message::printable;
-use probewright_core::program::calls::calls;
+use probewright_core::control::{Control as State, delivery::delivery};
+use probewright_core::message::{Message, printable};
+use probewright_core::program::around;
+use probewright_core::program::calls::{CallSite, calls};
 use probewright_core::program::user_programs::UserPrograms;
+use probewright_core::syntax::{self, Program};
 use probewright_core::words::Words;
-use probewright_core::{app, json, syntax};
+use probewright_core::{app, json};
 use std::io::Write;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -41,6 +44,7 @@ pub fn read(asked: &Arguments, words: &Words, out: &mut dyn Write) -> Result<Exi
         return Ok(ExitCode::SUCCESS);
     }
     let around = UserPrograms::of(&program);
+    let control = delivery(joined.dialect);
     for call in calls(&program) {
         let (path, last) = joined.line(call.line);
         let (_, first) = joined.line(call.first_line);
@@ -48,9 +52,24 @@ pub fn read(asked: &Arguments, words: &Words, out: &mut dyn Write) -> Result<Exi
         for (name, value) in &call.values {
             writeln!(out, "    {name}={}", printable(value))?;
         }
+        for block in ways(&program, &call, &control, words) {
+            writeln!(out, "    {block}")?;
+        }
         for note in around.around(call.cycle) {
             writeln!(out, "    {}", words.text(&note.message))?;
         }
     }
     Ok(ExitCode::SUCCESS)
+}
+
+/// What stands around a call and is known as a block: its title, and its values.
+pub fn ways(program: &Program, call: &CallSite, control: &State, words: &Words) -> Vec<String> {
+    let inputs = around::inputs_at(call, control);
+    let told = |found: &around::Found| {
+        let values = found.values().into_iter().map(|(name, value)| format!("{name}={}", printable(&value)));
+        let values = values.collect::<Vec<_>>().join(", ");
+        let told = Message::new("terminal-around-found").text("title", words.key(found.block.key()));
+        words.text(&told.text("name", found.block.name).text("values", values))
+    };
+    around::found(program, call, &inputs).iter().map(told).collect()
 }

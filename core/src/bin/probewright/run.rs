@@ -5,6 +5,7 @@ use crate::file::Problem;
 use crate::joined::Joined;
 use crate::progress::Progress;
 use crate::protocol::Protocol;
+use crate::read::ways;
 use crate::stream::Stream;
 use crate::{document, file, log, protocol, record, scan};
 use probewright_core::app::{Record, ResultScreen, RunAssumed, RunView, ScreenUntil};
@@ -15,6 +16,7 @@ use probewright_core::entry::{Unit, unit_behind};
 use probewright_core::machine::Setup;
 use probewright_core::machine::trace::Step;
 use probewright_core::message::{Arg, Message, printable};
+use probewright_core::program::calls::calls_on;
 use probewright_core::run::assumed::Assumed;
 use probewright_core::run::left::CallAt;
 use probewright_core::run::mode::{MODES, Mode};
@@ -112,6 +114,7 @@ pub fn run(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Result<
             writeln!(out, "{}", words.text(assumption))?;
         }
         text.print(&outcome.diagnostics, words, out)?;
+        text.print_around(&setup, words, out)?;
         print_outcome(joined, &outcome, words, out)?;
         if arguments.screens {
             let view = RunView::new(setup.clone(), outcome, &joined.text);
@@ -253,6 +256,22 @@ impl Text {
         self.stream.as_ref().map_or(Ok(true), Stream::was_run)
     }
 
+    /// Prints the blocks that stand around the calls, where the text is held.
+    fn print_around(&self, setup: &Setup, words: &Words, out: &mut dyn Write) -> std::io::Result<()> {
+        if self.stream.is_some() {
+            return Ok(());
+        }
+        let macros = &setup.control.definitions.macros;
+        let program = syntax::read_held(self.joined.dialect, &self.joined.text, macros, &mut |_| {});
+        for call in calls_on(&program, setup.control.clone()) {
+            for block in ways(&program, &call, &setup.control, words) {
+                let (path, line) = self.joined.line(call.line);
+                writeln!(out, "{}:{}: {}: {block}", path.display(), line + 1, call.cycle.name)?;
+            }
+        }
+        Ok(())
+    }
+
     /// Prints what was found, in the file where it stands.
     fn print(&self, found: &[Diagnostic], words: &Words, out: &mut dyn Write) -> Result<(), Problem> {
         let Some(stream) = &self.stream else {
@@ -287,9 +306,21 @@ fn values(asked: &[String]) -> Result<BTreeMap<String, Value>, Problem> {
 
 /// What came out, how the run ended last; why it ended early is among the findings.
 fn print_outcome(joined: &Joined, outcome: &Outcome, words: &Words, out: &mut dyn Write) -> std::io::Result<()> {
-    for (call, step) in outcome.by_call() {
-        if let Step::Decision { message: decision } = step {
-            writeln!(out, "{}{}", place(joined, call), words.text(decision))?;
+    for ((call, step), other) in outcome.by_call().zip(outcome.trace.entries.others()) {
+        match step {
+            Step::Decision { message: decision } => {
+                writeln!(out, "{}{}", place(joined, call), words.text(decision))?;
+            }
+            Step::Message { text, waits } => {
+                let key = if *waits { "terminal-waits" } else { "terminal-message" };
+                let told = words.text(&Message::new(key).text("text", printable(text)));
+                let at = other.line.map_or(String::new(), |line| {
+                    let (path, line) = joined.line(line);
+                    format!("{}:{}: ", path.display(), line + 1)
+                });
+                writeln!(out, "{at}{told}")?;
+            }
+            _ => {}
         }
     }
     print_results(joined, outcome, words, out)?;
@@ -356,14 +387,15 @@ fn screen(screen: &ResultScreen, words: &Words, out: &mut dyn Write) -> std::io:
     let columns = ["screen-set", "screen-actual", "screen-difference"].map(|key| words.key(key));
     let [set, actual, difference] = columns;
     writeln!(out, "{set:>16}{actual:>16}{difference:>16}")?;
-    let number = |value: Option<f64>| value.map_or(String::new(), |value| format!("{value:.6}"));
+    let digits = screen.digits as usize;
+    let number = |value: Option<f64>| value.map_or(String::new(), |value| decimals(value, digits));
     for row in &screen.rows {
         let [set, actual, difference] = [row.set, row.actual, row.difference].map(number);
         writeln!(out, "{set:>16}{actual:>16}{difference:>16} {:<4} {}", row.unit, say(&row.label))?;
     }
     for one in &screen.values {
-        let decimals = if one.unit.is_empty() { 0 } else { 6 };
-        writeln!(out, "{:>16.decimals$} {:<4} {}", one.value, one.unit, say(&one.label))?;
+        let value = decimals(one.value, if one.unit.is_empty() { 0 } else { digits });
+        writeln!(out, "{value:>16} {:<4} {}", one.unit, say(&one.label))?;
     }
     let until = match screen.until {
         ScreenUntil::End => "screen-until-end",
@@ -371,4 +403,11 @@ fn screen(screen: &ResultScreen, words: &Words, out: &mut dyn Write) -> std::io:
         ScreenUntil::Next => "screen-until-next",
     };
     writeln!(out, "{}", words.key(until))
+}
+
+/// A value with so many decimals; a 0 has no sign.
+fn decimals(value: f64, digits: usize) -> String {
+    let text = format!("{value:.digits$}");
+    let zero = text.bytes().all(|one| matches!(one, b'-' | b'0' | b'.'));
+    if zero { text.trim_start_matches('-').to_owned() } else { text }
 }

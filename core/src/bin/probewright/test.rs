@@ -3,7 +3,7 @@
 use crate::file::{self, Problem};
 use probewright_core::app::{self, Beside, CaseView, Scenario, ScenarioRequest, ScenarioText, ScenarioView};
 use probewright_core::json;
-use probewright_core::message::Message;
+use probewright_core::message::{Arg, Message};
 use probewright_core::words::Words;
 use std::fmt::Write as _;
 use std::io::Write;
@@ -30,7 +30,7 @@ struct Carried {
 /// Carries out every scenario; 1 when a case does not come to what it must.
 pub fn test(asked: &Arguments, words: &Words, out: &mut dyn Write) -> Result<ExitCode, Problem> {
     let mut all = Vec::new();
-    for path in files(&asked.scenarios)? {
+    for path in files(&asked.scenarios, words)? {
         let came = carried_out(&path, words);
         let carried = Carried { path, came };
         if !asked.json {
@@ -54,20 +54,39 @@ pub fn test(asked: &Arguments, words: &Words, out: &mut dyn Write) -> Result<Exi
 }
 
 /// The files that are named; of a folder every scenario below it.
-fn files(named: &[PathBuf]) -> Result<Vec<PathBuf>, Problem> {
+fn files(named: &[PathBuf], words: &Words) -> Result<Vec<PathBuf>, Problem> {
     let mut all = Vec::new();
     for path in named {
         if !path.is_dir() {
             all.push(path.clone());
             continue;
         }
-        let found: Vec<PathBuf> = file::below(path)?.into_iter().filter(|path| is_scenario(path)).collect();
+        let (found, others): (Vec<PathBuf>, _) = file::below(path)?.into_iter().partition(|path| is_scenario(path));
         if found.is_empty() {
             return Err(file::wrong_file(path, Message::new("terminal-test-none")));
         }
+        tell_others(path, &others, words);
         all.extend(found);
     }
     Ok(all)
+}
+
+/// Names of files that are told.
+const NAMED: usize = 8;
+
+/// Tells the documents of a folder that are not carried out since their names are those of other files.
+fn tell_others(folder: &Path, others: &[PathBuf], words: &Words) {
+    let json = |path: &&PathBuf| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("json"));
+    let names = others.iter().filter(json).map(|path| path.display().to_string());
+    let names: Vec<String> = names.collect();
+    if names.is_empty() {
+        return;
+    }
+    let more = (names.len() > NAMED).then_some("…".to_owned());
+    let listed = names.iter().take(NAMED).cloned().chain(more).collect::<Vec<_>>().join(", ");
+    let mut told = Message::new("terminal-test-others").text("path", folder.display().to_string());
+    told.args.push(("files", Arg::Text(listed)));
+    file::complain(&words.text(&told));
 }
 
 /// `scenario.json`, `bore.scenario.json`.
@@ -98,7 +117,9 @@ fn print(carried: &Carried, words: &Words, out: &mut dyn Write) -> std::io::Resu
     let path = carried.path.display();
     let view = match &carried.came {
         Ok(view) => view,
-        Err(why) => return writeln!(out, "{}  {why}", words.key("terminal-test-failed")),
+        Err(why) => {
+            return writeln!(out, "{}  {why} {}", words.key("terminal-test-failed"), words.key("scenario-cure"));
+        }
     };
     for CaseView { id, differences, .. } in &view.cases {
         let how = if differences.is_empty() { "terminal-test-passed" } else { "terminal-test-failed" };

@@ -9,7 +9,7 @@ use probewright_core::dialect::Dialect;
 use probewright_core::entry::{Cycle, Inputs, Typed};
 use probewright_core::machine::setup::Setup;
 use probewright_core::message::Message;
-use probewright_core::program::around::{self, Block, Lines, blocks, problem};
+use probewright_core::program::around::{self, Block, Lines, absent, blocks, problem};
 use probewright_core::program::write::snippet;
 use probewright_core::words::Words;
 use probewright_core::{catalogue, check};
@@ -90,6 +90,9 @@ fn around(asked: &Arguments, inputs: &Inputs, words: &Words) -> Result<Lines, Pr
 fn right(name: &str, values: &Typed, suited: &[&Block], inputs: &Inputs, words: &Words) -> Result<(), Problem> {
     let known = || suited.iter().map(|block| block.name).collect::<Vec<_>>().join(", ");
     let Some(block) = suited.iter().find(|block| block.name == name) else {
+        if let Some(absent) = absent(inputs.cycle.dialect).iter().find(|absent| absent.name == name) {
+            return Err(wrong(Message::new(absent.why)));
+        }
         let message = Message::new("terminal-around").text("cycle", inputs.cycle.name).text("name", name);
         return Err(wrong(message.text("known", known())));
     };

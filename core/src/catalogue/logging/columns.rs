@@ -1,7 +1,6 @@
 //! Title lines and lines of values as columns with names, to be put together by choosing.
 
-use super::OWN_HEADER;
-use super::contents::texts;
+use super::contents::{first_page, header_of, texts};
 use super::line::{self, Field, RESULTS};
 use super::names::{COLUMN, SEPARATOR, TITLES};
 use super::simulate::put;
@@ -23,6 +22,7 @@ const OF_A_SORT: usize = 4;
 const SAMPLE_AXIS: f64 = 3.0;
 const SAMPLE_TEXT: &str = "1";
 const SAMPLE_TIME: &str = "09:35:12";
+const SAMPLE_DATE: &str = "98/11/15";
 
 /// A title line: its columns are texts.
 pub fn titles(typed: &str, _: &Inputs, _: &Control) -> Option<Columns> {
@@ -38,14 +38,19 @@ pub fn values(typed: &str, inputs: &Inputs, control: &Control) -> Option<Columns
     let columns = split(typed, |text| label(text, &results))?;
     let control = sample(inputs, control);
     let (mut printed, mut narrow) = (Vec::new(), Vec::new());
-    if !control.bit(OWN_HEADER) {
-        printed.extend(TITLES.map(|name| control.text(name.as_str()).to_owned()));
-        printed.retain(|line| !line.trim().is_empty());
-    }
+    printed.extend(header_of(&control, SAMPLE_DATE, SAMPLE_TIME, first_page(&control)));
+    printed.retain(|line: &String| !line.trim().is_empty());
     let line = inner(typed).filter(|line| !line.is_empty());
-    if let Some(texts) = line.and_then(|line| texts(&control, line, &BTreeSet::new(), SAMPLE_TIME)) {
+    let beyond = beyond();
+    let mut marked = String::new();
+    let of = |names: &BTreeSet<&str>| line.and_then(|line| texts(&control, line, names, SAMPLE_TIME));
+    if let Some((texts, with_marks)) = of(&BTreeSet::new()).zip(of(&beyond.iter().map(String::as_str).collect())) {
         let widths = line::Columns::new(control.number(COLUMN.as_str()), control.text(TITLES[0].as_str()));
-        printed.push(widths.line(&texts, control.text(SEPARATOR.as_str())));
+        let separator = control.text(SEPARATOR.as_str());
+        printed.push(widths.line(&texts, separator));
+        if with_marks != texts {
+            marked = widths.line(&with_marks, separator);
+        }
         let wider = texts.iter().enumerate().filter(|(column, text)| widths.narrow(*column, text));
         narrow.extend(wider.map(|(column, text)| {
             let message = Message::new("check-log-narrow").number("column", column as f64 + 1.0);
@@ -53,7 +58,13 @@ pub fn values(typed: &str, inputs: &Inputs, control: &Control) -> Option<Columns
             message.number("needed", text.chars().count() as f64)
         }));
     }
-    Some(Columns { offers: offers(&results), printed, narrow, ..columns })
+    Some(Columns { offers: offers(&results), printed, marked, narrow, ..columns })
+}
+
+/// Results behind which a mark can stand: actual values and their differences (B:11439-11441, B:5681-5685).
+fn beyond() -> Vec<String> {
+    let places = [SAMPLE[1].0, SAMPLE[2].0].into_iter().flat_map(|first| first..first + OF_A_SORT);
+    places.map(|place| format!("_OVR[{place}]")).collect()
 }
 
 /// The characters of a text; none of an expression.

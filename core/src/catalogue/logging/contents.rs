@@ -46,15 +46,22 @@ pub fn first_page(control: &Control) -> i64 {
 /// Lines of the header of this page.
 pub fn header(machine: &mut dyn Machine, page: i64) -> Vec<String> {
     let now = machine.now();
-    let control = machine.control();
+    header_of(machine.control(), &now.date(), &now.time(), page)
+}
+
+/// Lines of the header of this page at this time.
+pub fn header_of(control: &Control, date: &str, time: &str, page: i64) -> Vec<String> {
     let count = number(control, HEAD_LINES).clamp(0.0, HEADLINES.len() as f64) as usize;
     let own = HEADLINES.into_iter().take(count).map(|name| text(control, name).to_owned());
     if control.bit(OWN_HEADER) {
         return own.collect();
     }
-    let [date, time, number_of] = DATE_TIME_PAGE;
-    let [date, time] = [format!("{date}{}", now.date()), format!("{time}{}", now.time())];
-    let first = format!("{date:<FIRST_LINE$}{time:<FIRST_LINE$}{number_of}{page}");
+    let [date_is, time_is, number_of] = DATE_TIME_PAGE;
+    let first = format!(
+        "{:<FIRST_LINE$}{:<FIRST_LINE$}{number_of}{page}",
+        date_is.to_owned() + date,
+        time_is.to_owned() + time
+    );
     let program = format!("{PROGRAM_NAME}{}", text(control, PROGRAM));
     let dashes = "-".repeat(number(control, LINE).clamp(1.0, LONGEST as f64) as usize);
     let titles = TITLES.map(|name| text(control, name).to_owned());

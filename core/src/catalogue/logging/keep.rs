@@ -12,6 +12,10 @@ use crate::message::Message;
 
 /// Bytes of a kilobyte of MD11420.
 const KILOBYTE: f64 = 1024.0;
+/// What was logged before is deleted with its file.
+pub const LOG_DELETED: &str = "evaluate-log-deleted";
+/// No file of the log has room.
+pub const LOG_FULL: &str = "evaluate-log-full";
 /// Empty lines between two blocks of values (B:11521-11528).
 const BETWEEN: usize = 2;
 
@@ -100,8 +104,18 @@ fn begun_here(machine: &mut dyn Machine, state: &State) -> bool {
 /// A log of this name without a line.
 fn begun(machine: &mut dyn Machine, log: String) -> State {
     let page = first_page(machine.control()) - 1;
-    machine.create_file(&log);
+    make(machine, &log);
     State { log, page, ..State::default() }
+}
+
+/// An empty file; what this run has already logged under its name is deleted (B:11229), and that is told.
+fn make(machine: &mut dyn Machine, file: &str) {
+    let lines = machine.files().lines(file).map_or(0, <[String]>::len);
+    if lines > 0 {
+        let told = Message::new(LOG_DELETED).text("file", file).number("lines", lines as f64);
+        machine.record(Step::Decision { message: told });
+    }
+    machine.create_file(file);
 }
 
 /// A header, with which a page begins.
@@ -168,14 +182,14 @@ fn follow(machine: &mut dyn Machine, state: &mut State) -> bool {
     if !state.full() {
         state.number += 1;
         if state.full() {
-            machine.record(Step::Message { text: LOG_NAME.to_owned() });
+            machine.record(Step::Message { text: LOG_NAME.to_owned(), waits: true });
         }
     }
     if state.full() {
-        machine.record(Step::Decision { message: Message::new("evaluate-log-full").text("file", &state.log) });
+        machine.record(Step::Decision { message: Message::new(LOG_FULL).text("file", &state.log) });
         return false;
     }
-    machine.create_file(&state.file());
-    machine.record(Step::Message { text: NEW_LOG.to_owned() });
+    make(machine, &state.file());
+    machine.record(Step::Message { text: NEW_LOG.to_owned(), waits: false });
     true
 }

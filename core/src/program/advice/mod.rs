@@ -4,6 +4,7 @@ mod at_call;
 mod behind;
 mod generation;
 mod inherited;
+mod logs;
 mod nct;
 mod older;
 mod read_back;
@@ -19,6 +20,7 @@ use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic, Edit, Severity, Span};
 use crate::entry::{Inputs, Typed};
 use crate::message::Message;
+use crate::syntax::links::links;
 use crate::syntax::programs::{Programs, programs};
 use crate::syntax::{Program, Word, WordKind};
 use crate::{check, own};
@@ -73,6 +75,7 @@ pub fn advice(program: &Program, sites: &[CallSite], control: &Control) -> Vec<D
     let changes_tools = changes_tools(program);
     let mut at_call = control.clone();
     let mut corrected = BTreeMap::new();
+    let (links, mut begun) = (links(program, &programs), logs::Logs::new());
     for (index, site, way) in in_order(sites) {
         at_call.plane = way.state.plane.is().copied().unwrap_or(site.plane);
         at_call.transverse = way.state.transverse.is().copied().unwrap_or(site.transverse);
@@ -97,6 +100,7 @@ pub fn advice(program: &Program, sites: &[CallSite], control: &Control) -> Vec<D
         };
         at_call::look(&seen, &mut asked, &mut found);
         read_back::look(&seen, &at_call, &mut found);
+        found.extend(logs::look(&seen, &links, &mut begun));
         match behind::corrected(&seen) {
             Some(frame) => corrected.insert(index, frame),
             None => corrected.remove(&index),

@@ -168,7 +168,7 @@ pub(super) const BLOCKS: &[Block] = &[
     },
     Block {
         name: "log",
-        fields: &[RESULT, field("part", Kind::File, "PART"), field("file", Kind::File, "LOG_1")],
+        fields: &[RESULT, field("part", Kind::File, "PART"), field("file", Kind::NewFile, "LOG_1")],
         suits: &[Suits::Workpiece, Suits::Results],
         before: &[
             line("_PROTNAME[0]=\"{part}\" _PROTNAME[1]=\"{file}\"", "around-say-log"),

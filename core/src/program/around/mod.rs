@@ -2,6 +2,7 @@
 //! Each block is data: its fields, the calls that it suits, its lines before and behind the call. A block is read back
 //! by its lines.
 
+mod absent;
 mod blocks;
 mod nct;
 mod pattern;
@@ -10,9 +11,10 @@ mod revise;
 mod values;
 mod write;
 
+pub use absent::{Absent, absent};
 pub use read::{Found, found};
 pub use revise::{Around, inputs_at, revise};
-pub use values::{choices, preset, problem};
+pub use values::{choices, completed, preset, problem};
 pub use write::{Lines, Words, write};
 
 use crate::control::MachineSort;
@@ -74,6 +76,8 @@ pub enum Kind {
     Variable(Range),
     /// Name of a file on the control.
     File,
+    /// Name of a file that the control makes anew: where nothing is entered, the first that the program does not name.
+    NewFile,
 }
 
 /// What a call has.

@@ -12,6 +12,8 @@ use crate::range::Range;
 const LONGEST_NAME: usize = 31;
 /// Longest operator text, characters.
 const LONGEST_TEXT: usize = 100;
+/// Numbers that are tried for the name of a file.
+const MOST_FILES: u32 = 1000;
 /// Numbers of programs and blocks of NCT.
 const NUMBERS: Range = Range::closed(1.0, 9999.0);
 
@@ -22,6 +24,20 @@ pub fn preset(field: &Field, inputs: &Inputs) -> String {
         Kind::Side => side(inputs).to_owned(),
         _ => field.preset.to_owned(),
     }
+}
+
+/// What is entered, and of a file that is made anew its name where none is: a log of the same name would be deleted
+/// (B:11229). `taken`: text of the program in upper case.
+pub fn completed(block: &Block, typed: &Typed, taken: &str) -> Typed {
+    let mut all = typed.clone();
+    for field in block.fields.iter().filter(|field| matches!(field.kind, Kind::NewFile)) {
+        let entered = typed.get(field.name).is_some_and(|text| !text.trim().is_empty());
+        let stem = field.preset.trim_end_matches(|one: char| one.is_ascii_digit());
+        let free = (1..=MOST_FILES).map(|number| format!("{stem}{number}"));
+        let free = free.filter(|_| !entered).find(|name| !taken.contains(&format!("\"{name}\"")));
+        all.extend(free.map(|name| (field.name.to_owned(), name)));
+    }
+    all
 }
 
 /// Material is left where a hole is too small, and where a shaft is too large.
@@ -96,7 +112,7 @@ pub fn problem(block: &Block, field: &Field, typed: &Typed, inputs: &Inputs) -> 
             let free = is_program(&value) && !is_of_control(&value);
             if free { None } else { about("around-wrong-name") }
         }
-        Kind::File => {
+        Kind::File | Kind::NewFile => {
             if is_name(&value) {
                 None
             } else {
@@ -135,4 +151,21 @@ fn is_program(text: &str) -> bool {
 fn is_name(text: &str) -> bool {
     let begins = text.starts_with(|one: char| one.is_ascii_alphabetic() || one == '_');
     begins && text.len() <= LONGEST_NAME && text.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'_')
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::block;
+    use super::*;
+
+    // oracle: manual B:11229 (a log of the same name would be deleted)
+    #[test]
+    fn a_new_file_has_a_name_of_its_own() {
+        let Some(log) = block(Dialect::Sinumerik, "log") else { panic!("no block") };
+        let file = |typed: &Typed, text: &str| completed(log, typed, text).get("file").cloned();
+        assert_eq!(file(&Typed::new(), "").as_deref(), Some("LOG_1"));
+        assert_eq!(file(&Typed::new(), "_PROTNAME[1]=\"LOG_1\"\nR1=\"LOG_3\"").as_deref(), Some("LOG_2"));
+        let typed = Typed::from([("file".to_owned(), "LOG_1".to_owned())]);
+        assert_eq!(file(&typed, "\"LOG_1\"").as_deref(), Some("LOG_1"), "what is entered counts");
+    }
 }

@@ -1,7 +1,7 @@
 //! The lines of blocks as text.
 
 use super::pattern::{Bound, Free, Piece, filled, given, pieces};
-use super::values::value;
+use super::values::{completed, value};
 use super::{Block, Line};
 use crate::entry::{Inputs, Typed};
 use crate::syntax::Grammar;
@@ -22,7 +22,9 @@ pub struct Lines {
 /// used again; `comments`: each line says what it is for.
 pub fn write(block: &Block, typed: &Typed, inputs: &Inputs, taken: &str, words: Words, comments: bool) -> Lines {
     let mut free: Vec<Bound> = Vec::new();
-    let taken = taken.to_ascii_uppercase() + &own_variables(block, typed, inputs, words);
+    let taken = taken.to_ascii_uppercase();
+    let typed = &completed(block, typed, &taken);
+    let taken = taken + &own_variables(block, typed, inputs, words);
     for name in block.before.iter().chain(block.after).flat_map(|line| pieces(line.code)).filter_map(hole) {
         let known = free.iter().any(|bound| bound.name == name);
         if let Some(kind) = Free::of(name).filter(|_| !known) {

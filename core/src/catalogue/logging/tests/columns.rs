@@ -35,7 +35,15 @@ fn chosen_columns_are_the_line_that_the_log_prints() {
     assert_eq!(line, "_TXT[0],_AXIS,_OVR[0],_OVR[4],_OVR[16],_TIME");
     let made = columns(VALUES[0], &[(VALUES[0], &line), (TITLES[1], "\"  \"")], &control).unwrap();
     let printed = "1           , Z          , 80.000     , 79.987     , -0.013     , 09:35:12";
-    assert_eq!(made.printed, ["Meas.,Axis,Set,Act. value,Difference,Time", printed]);
+    let dashes = "-".repeat(80);
+    let shown: Vec<&str> = made.printed.iter().map(String::as_str).collect();
+    assert_eq!(
+        shown[0].split_whitespace().collect::<Vec<_>>(),
+        ["Date:", "98/11/15", "Time:", "09:35:12", "Page:", "1"]
+    );
+    let end = [&*dashes, "Meas.,Axis,Set,Act. value,Difference,Time", &*dashes, printed];
+    assert_eq!(shown[shown.len() - 4..], end);
+    assert_eq!(made.marked, printed.replace("79.987     ", "79.987*    ").replace("-0.013     ", "-0.013*    "));
     let keys: Vec<&str> = made.list.iter().map(|column| &*column.label.key).collect();
     assert_eq!(keys[..2], ["log-column-text", "log-column-axis"]);
     assert!(keys[2].starts_with("result-set") && keys[3].starts_with("result-actual"), "{keys:?}");
@@ -51,14 +59,15 @@ fn the_preview_has_the_format_of_the_call() {
     control.set("_OVR[0]", 7.5);
     control.set(OWN_HEADER, 1.0);
     let made = columns(VALUES[0], &[line, (COLUMN, "5"), (SEPARATOR, ";")], &control).unwrap();
-    assert_eq!(made.printed, ["7.500;0.000; ab"], "the last measurement counts");
+    assert_eq!(made.printed.last().unwrap(), "7.500;0.000; ab", "the last measurement counts");
+    assert!(!made.printed.iter().any(|line| line.starts_with("Date:")), "the header of the user: {:?}", made.printed);
     control.set("_OVR[16]", -0.25);
     let made = columns(VALUES[0], &[line, (COLUMN, "5"), (SEPARATOR, ";")], &control).unwrap();
-    assert_eq!(made.printed, ["7.500;-0.250; ab"]);
+    assert_eq!(made.printed.last().unwrap(), "7.500;-0.250; ab");
     let narrow: Vec<_> = made.narrow.iter().map(|one| &*one.key).collect();
     assert_eq!(narrow, ["check-log-narrow"]);
     let unknown = columns(VALUES[0], &[(VALUES[0], "_OVI[0],_TIME")], &control).unwrap();
-    assert_eq!((unknown.printed.len(), &*unknown.list[0].label.key), (0, "log-column-unknown"));
+    assert_eq!((unknown.marked.as_str(), &*unknown.list[0].label.key), ("", "log-column-unknown"));
 }
 
 // oracle: self (adding and taking away change nothing else), hand (quotes, blanks, expressions)

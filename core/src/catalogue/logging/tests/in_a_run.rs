@@ -50,6 +50,14 @@ fn a_log_of_a_program_that_measures_nothing() {
 fn switched_on_again_it_begins_anew() {
     let outcome = ended("CYCLE100\nCYCLE106(2)\nCYCLE101\nR1=7\nCYCLE100\nCYCLE106(2)\nCYCLE101");
     assert_eq!(lines(&outcome, "LOG_1.MPF"), ["HEAD", "7.000       , 0.000"]);
+    assert_eq!(told(&outcome), ["run-log-deleted"]);
+    let other = "CYCLE100\nCYCLE106(2)\nCYCLE101\n_PROTNAME[1]=\"LOG_2\"\nCYCLE100\nCYCLE106(2)\nCYCLE101";
+    assert_eq!(told(&ended(other)), [""; 0], "each has its own name");
+}
+
+/// Keys of what a run tells.
+fn told(outcome: &Outcome) -> Vec<String> {
+    outcome.diagnostics.iter().map(|one| one.message.key.to_string()).collect()
 }
 
 // oracle: manual B:11435 (a header after so many lines; 0: only at the beginning), hand (a block is not torn)
@@ -104,11 +112,10 @@ fn a_full_log_goes_on_in_the_next_file() {
     }
     let blocks = outcome.files.iter().flat_map(|(_, lines)| lines).filter(|line| line.starts_with('x')).count();
     assert_eq!(blocks, 25);
-    let told = outcome
-        .trace
-        .entries
-        .iter()
-        .filter(|entry| matches!(&entry.step, Step::Message { text } if text == "New log file has been created"));
+    let told =
+        outcome.trace.entries.iter().filter(
+            |entry| matches!(&entry.step, Step::Message { text, .. } if text == "New log file has been created"),
+        );
     assert_eq!(told.count(), 2);
     let mut setup = setup();
     setup.control.set("MD11420", 5.0);
@@ -126,6 +133,10 @@ fn after_the_tenth_file_another_name_is_wanted() {
     let said = |key: &str| outcome.decisions().iter().filter(|one| one.key == key).count();
     let blocks = outcome.files.iter().flat_map(|(_, lines)| lines).filter(|line| line.starts_with('x')).count();
     assert_eq!(blocks + said("evaluate-log-full"), 110);
+    let of_run = told(&outcome).into_iter().filter(|key| key.starts_with("run-")).collect::<Vec<_>>();
+    assert_eq!(of_run, ["run-log-full"]);
+    let waits = outcome.trace.entries.iter().filter(|one| matches!(one.step, Step::Message { waits: true, .. }));
+    assert_eq!(waits.count(), 1, "for another name, once");
     let text = long(110).replace("CYCLE101", "_PROTNAME[1]=\"LOG_2\"\nCYCLE106(2)\nCYCLE101");
     let outcome = ended(&text);
     assert_eq!(lines(&outcome, "LOG_2.MPF").len(), 2, "header and block");
@@ -144,12 +155,10 @@ fn old_follow_up_files_stay() {
 // oracle: manual B:11209, B:11233 (without CYCLE101 the log stays on)
 #[test]
 fn a_log_that_stays_on_is_told() {
-    let keys =
-        |outcome: &Outcome| outcome.diagnostics.iter().map(|one| one.message.key.to_string()).collect::<Vec<_>>();
     let outcome = ended("CYCLE100");
-    assert_eq!(keys(&outcome), ["run-log-on"]);
+    assert_eq!(told(&outcome), ["run-log-on"]);
     assert!(outcome.control.bit("_CBIT[9]"));
-    assert_eq!(keys(&ended("CYCLE100\nCYCLE101")), [""; 0]);
+    assert_eq!(told(&ended("CYCLE100\nCYCLE101")), [""; 0]);
 }
 
 // oracle: manual B:11255-11260, B:11296-11320 (both examples; the second one as A:12644-12650 has it)
