@@ -369,7 +369,7 @@ connection-nct-3-is = Werkstückmesstaster über die passende Schnittstellenelek
 # Welche Versionen zusammenarbeiten.
 report-compatibility = Versionen, die zusammenarbeiten
 compatibility-component = Komponente
-compatibility-version = Software
+compatibility-version = Softwarestand
 compatibility-cycles-54 = Zyklen SW 5.3/5.4
 compatibility-cycles-62 = Zyklen ab SW 6.2
 compatibility-jog-54 = JOG SW 5.3/5.4

@@ -9,6 +9,8 @@ repeat-no-signal = Der Messtaster hat unterwegs nicht geschaltet, deshalb gibt e
 repeat-no-scatter = Der Messtaster dieser Maschine streut nicht: Jede Antastung ergibt denselben Wert. Seine Wiederholgenauigkeit eingeben oder Werte der realen Maschine einfügen.
 repeat-drift = Die Werte wandern von Antastung zu Antastung: Das ist nicht zufällig. Test mit warmer Maschine wiederholen.
 repeat-narrow = Drei Standardabweichungen sind { $three }, mehr als das vorgeschlagene _TZL: Mehr Antastungen fänden größere Abweichungen.
+repeat-switched = Funktionstest: Der Messtaster schaltet bei { $axis } = { $value }{ $unit }; das Programm hält bei M0, mit diesem Wert in R1
+repeat-not-switched = Funktionstest: Der Messtaster schaltet nicht; das Programm hält bei M0 nach seiner Meldung
 repeat-mean = { $count } Antastungen, Mittelwert { $mean }{ $unit }
 repeat-deviation = Standardabweichung s = { $one }{ $unit }; 2 s = { $two }, 3 s = { $three }
 repeat-range = Kleinster Wert { $smallest }, größter { $largest }, Spannweite { $range }{ $unit }

@@ -9,6 +9,8 @@ repeat-no-signal = The probe did not switch on the way, so there are no values.
 repeat-no-scatter = The probe of this machine has no repeatability error: each touch gives the same value. Set its repeatability, or paste values from the real machine.
 repeat-drift = The values drift from touch to touch: this is not random. Repeat the test when the machine is warm.
 repeat-narrow = Three standard deviations are { $three }, more than the proposed _TZL: more touches would find larger deviations.
+repeat-switched = Function test: the probe switches at { $axis } = { $value }{ $unit }; the program stops at M0, with this value in R1
+repeat-not-switched = Function test: the probe does not switch; the program stops at the M0 behind its message
 repeat-mean = { $count } touches, mean { $mean }{ $unit }
 repeat-deviation = Standard deviation s = { $one }{ $unit }; 2 s = { $two }, 3 s = { $three }
 repeat-range = Smallest { $smallest }, largest { $largest }, range { $range }{ $unit }

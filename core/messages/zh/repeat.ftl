@@ -9,6 +9,8 @@ repeat-no-signal = 测头在移动中没有触发，因此没有测量值。
 repeat-no-scatter = 这台机床的测头没有重复性误差：每次触碰的值都相同。请设置重复性，或粘贴实际机床的测量值。
 repeat-drift = 测量值逐次漂移，不是随机偏差。请在机床预热后重新测试。
 repeat-narrow = 三倍标准偏差为 { $three }，大于建议的 _TZL：触碰次数更多时会出现更大的偏差。
+repeat-switched = 功能测试：测头在 { $axis } = { $value }{ $unit } 处触发；程序停在 M0，该值在 R1 中
+repeat-not-switched = 功能测试：测头未触发；程序停在报文之后的 M0
 repeat-mean = 触碰 { $count } 次，平均值 { $mean }{ $unit }
 repeat-deviation = 标准偏差 s = { $one }{ $unit }；2 s = { $two }，3 s = { $three }
 repeat-range = 最小值 { $smallest }，最大值 { $largest }，极差 { $range }{ $unit }

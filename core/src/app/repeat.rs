@@ -11,7 +11,7 @@ use crate::machine::Setup;
 use crate::message::Message;
 use crate::program::probe_test::{FIRST, Keep, ProbeTest, SAYS};
 use crate::refused::Path;
-use crate::run::{Limits, run};
+use crate::run::{Limits, Outcome, run};
 use crate::series::repeat::Repeat;
 use crate::syntax;
 use crate::workpiece::{Shape, Solid};
@@ -145,9 +145,11 @@ pub fn repeat_on(asked: &RepeatRequest, setup: Setup) -> Result<RepeatView, Erro
     let keep = asked.parameters.map_or(Keep::Array, Keep::Parameters);
     let factor = setup.control.active_units.factor();
     let mut notes = beside(&test, &setup, factor);
+    let mut lines = Vec::new();
     let values = match &asked.values {
         Some(text) => numbers(text)?,
         None => {
+            lines.push(switched(&test, setup.clone(), factor));
             if setup.probe.repeatability.0 == 0.0 {
                 notes.push(Message::new("repeat-no-scatter"));
             }
@@ -159,12 +161,13 @@ pub fn repeat_on(asked: &RepeatRequest, setup: Setup) -> Result<RepeatView, Erro
     let missing = || Error::new("repeat-few", Path::of(&["values"]));
     let repeat = Repeat::of(&values, inch).ok_or_else(missing)?;
     notes.extend(doubts(&repeat, inch));
+    lines.extend(told(&repeat, inch));
     Ok(RepeatView {
         function: test.function(&words),
         program: test.repeat(count, keep, machine, &words),
         says: SAYS,
         unit: if inch { "inch" } else { "mm" },
-        told: told(&repeat, inch),
+        told: lines,
         notes,
         found: found(values, &repeat),
     })
@@ -219,7 +222,28 @@ fn numbers(text: &str) -> Result<Vec<f64>, Error> {
 }
 
 /// The values that the program leaves on a machine whose probe meets a face halfway.
-fn touched(text: &str, test: &ProbeTest, count: usize, mut setup: Setup, factor: f64) -> Result<Vec<f64>, Error> {
+fn touched(text: &str, test: &ProbeTest, count: usize, setup: Setup, factor: f64) -> Result<Vec<f64>, Error> {
+    let outcome = at_a_face(text, test, setup, factor);
+    let name = |touch: usize| format!("R{}", FIRST + touch);
+    if (0..count).any(|touch| outcome.control.data.get(&name(touch)).is_none()) {
+        return Err(Error::new("repeat-no-signal", Path::of(&["to"])));
+    }
+    Ok((0..count).map(|touch| outcome.control.number(&name(touch))).collect())
+}
+
+/// What the function test comes to there: R1 holds where the probe switched (B:12825-12856).
+fn switched(test: &ProbeTest, setup: Setup, factor: f64) -> Message {
+    let outcome = at_a_face(&test.function(&|key| key.to_owned()), test, setup, factor);
+    if outcome.control.data.get("R1").is_none() {
+        return Message::new("repeat-not-switched");
+    }
+    let value = (outcome.control.number("R1") * 1e5).round() / 1e5;
+    let unit = if factor == 1.0 { "\u{a0}mm" } else { "\u{a0}inch" };
+    Message::new("repeat-switched").text("axis", AXES[test.axis]).number("value", value).text("unit", unit)
+}
+
+/// What a program does on a machine whose probe meets a face halfway.
+fn at_a_face(text: &str, test: &ProbeTest, mut setup: Setup, factor: f64) -> Outcome {
     let [from, to] = test.ends;
     let control = &mut setup.control;
     control.frames.clear();
@@ -235,12 +259,7 @@ fn touched(text: &str, test: &ProbeTest, count: usize, mut setup: Setup, factor:
     centre[2] += BLOCK / 2.0; // a block stands by the middle of its upper face
     setup.workpiece.solids = vec![Solid::new(Shape::Block { size: [BLOCK; 3] }, Mcs(centre))];
     setup.position = start;
-    let outcome = run(&syntax::read(Dialect::Sinumerik, text.as_bytes()), &setup, Limits::default());
-    let name = |touch: usize| format!("R{}", FIRST + touch);
-    if (0..count).any(|touch| outcome.control.data.get(&name(touch)).is_none()) {
-        return Err(Error::new("repeat-no-signal", Path::of(&["to"])));
-    }
-    Ok((0..count).map(|touch| outcome.control.number(&name(touch))).collect())
+    run(&syntax::read(Dialect::Sinumerik, text.as_bytes()), &setup, Limits::default())
 }
 
 /// Braking beyond what the probe takes.
@@ -344,6 +363,7 @@ mod tests {
         assert!((view.found.deviation / 0.001 - 1.0).abs() < 0.15, "{}", view.found.deviation);
         assert_eq!(view.found.intervals.iter().sum::<usize>(), 400);
         assert!(view.found.zone >= view.found.furthest && view.found.zone < view.found.furthest + 0.001);
+        assert_eq!(view.told[0].key, "repeat-switched"); // the function test meets the same face
     }
 
     #[test]

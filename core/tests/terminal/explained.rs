@@ -154,6 +154,17 @@ fn programs_of_older_versions_are_explained() {
     assert!(call.contains("CYCLE977") && call.contains("R42  _SETVAL: ") && !call.contains("R20"), "{call}");
     assert!(told("CYCLE103").contains("A:15977") || told("CYCLE103").contains("SW 3.2"), "{}", told("CYCLE103"));
     assert_eq!(probewright(&["explain", "R14"]).status.code(), Some(2));
+    // B:2247-2251: the factor of the measuring path
+    assert!(told("R28").contains("factor of the measuring path"), "{}", told("R28"));
+}
+
+// oracle: manual B:12145-12406, A:13964-13968
+#[test]
+fn where_a_form_is_and_which_versions_work_together_are_told() {
+    let variant = out(&probewright(&["explain", "CYCLE977", "4"]));
+    assert!(variant.contains("Measurem. milling > Workpiece measure > Slot or web"), "{variant}");
+    let versions = out(&probewright(&["commissioning", "compatibility"]));
+    assert!(versions.contains("NCU SW 6.2\n  Cycles SW 5.3/5.4: yes; Cycles from SW 6.2: no"), "{versions}");
 }
 
 // oracle: self: the lines that guides give for the terminal are ones that it takes; their files are the reader's

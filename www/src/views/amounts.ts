@@ -14,7 +14,7 @@ export function amount(value: number, unit: string, sign = false): string {
 /** The unit behind a figure. */
 export function unitBehind(unit: string): string {
   if (!unit) return "";
-  return unit === "deg" ? "°" : `\u00a0${t(`unit-${unit}`)}`;
+  return unit === "deg" ? "°" : `\u00a0${t(`unit-${unit.replace("/", "-per-")}`)}`;
 }
 
 /** "Ø 50.030", "X 12.004". */

@@ -7,7 +7,7 @@ use super::{Error, unknown};
 use crate::catalogue::CYCLES;
 use crate::catalogue::example::example as worked;
 use crate::dialect::Dialect;
-use crate::entry::{Cycle, Inputs, Kind, Typed, Variant};
+use crate::entry::{Cycle, Kind, ProbeUse, Typed, Variant};
 use crate::manual::explained::{CONCEPTS, Example};
 use crate::message::Message;
 use crate::picture::figures::line;
@@ -102,16 +102,13 @@ impl Call {
         })
     }
 
-    /// The picture of a value, in the proportions of the picture of another call.
-    fn drawn(&self, value: f64, like: &Inputs) -> Option<(Picture, Typed)> {
-        let view = self.form(Some(value), true).ok()?;
-        let picture = to_scale(&view.outcome?.trace, like)?;
+    /// The picture of a value: a part as it was measured. Of a tool, whose length is many times its probe, the help
+    /// picture.
+    fn drawn(&self, value: f64) -> Option<(Picture, Typed)> {
+        let of_tool = self.cycle.purpose.probe == ProbeUse::Tool;
+        let view = self.form(Some(value), !of_tool).ok()?;
+        let picture = if of_tool { view.picture? } else { to_scale(&view.outcome?.trace)? };
         Some((picture, view.fields.into_iter().map(|field| (field.name.to_string(), field.value)).collect()))
-    }
-
-    /// The call with a value.
-    fn inputs(&self, value: f64) -> Option<Inputs> {
-        self.form(Some(value), true).ok()?.outcome?.trace.call
     }
 
     fn example(&self, example: &Example) -> Option<ConceptExample> {
@@ -164,8 +161,7 @@ pub fn concept_picture(asked: ConceptRequest) -> Result<ConceptPicture, Error> {
         return Ok(ConceptPicture { picture: on_paper(drawn.picture, &ends), ..drawn });
     }
     let call = Call::of(example).ok_or_else(none)?;
-    let like = call.inputs(to).ok_or_else(none)?;
-    let drawn = |value| call.drawn(value, &like).ok_or_else(none);
+    let drawn = |value| call.drawn(value).ok_or_else(none);
     let ends = [drawn(from)?.0, drawn(to)?.0];
     let (picture, values) = drawn(value)?;
     Ok(ConceptPicture { picture: on_paper(picture, &ends), values, told: None })

@@ -62,7 +62,7 @@ impl Sketch {
             Sketch::Mean => ("_K", "param-k", "", 1.0, 2.0),
             Sketch::Empirical => ("_EV", "concept-empirical-value", "mm", 0.001, 0.02),
             Sketch::Chain => ("", "concept-drag-difference", "mm", 0.001, 0.03),
-            Sketch::Braking => ("", "concept-drag-feed", "mm/min", 10.0, 300.0),
+            Sketch::Braking => ("", "concept-drag-feed", "mm/min", 10.0, (example.from + example.to) / 2.0),
         };
         dragged(example, name, Message::new(key), unit, step).at(value)
     }
@@ -180,11 +180,10 @@ fn of_braking(feed: f64) -> ConceptPicture {
     let ends = [0.0, parts.delay, parts.delay + parts.braking, parts.sum()];
     let size = 0.6; // of the drawing, mm: a stylus ball
     let mut shapes = vec![
-        rectangle(ShapeKind::Material, [2.0, -4.5 * size], [20.0, size]),
         line(ShapeKind::Edge, vec![[0.0, -2.0 * size], [0.0, 3.0 * size]]),
         circle(ShapeKind::Touch, [0.0, 0.0], size / 3.0),
         circle(ShapeKind::Probe, [parts.sum(), 0.0], size),
-        line(ShapeKind::Path, vec![[-4.0, 0.0], [parts.sum(), 0.0]]),
+        line(ShapeKind::Path, vec![[-4.0 * size, 0.0], [parts.sum(), 0.0]]),
     ];
     for (row, (pair, name)) in ends.windows(2).zip(["v·t", "v²/2a", "v/Kv"]).enumerate() {
         let at = (4.0 + 2.5 * row as f64) * size;

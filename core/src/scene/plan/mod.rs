@@ -61,12 +61,12 @@ pub fn draw(inputs: &Inputs, staged: &Staged) -> Picture {
     drawn(&Views::of(&example, staged), &example, staged)
 }
 
-/// A call as it was carried out, in its real proportions, with the dimensions of its picture; none: its picture shows
-/// no cycle at work. `like`: a call as large as whose picture a mm is drawn, so that pictures can be compared.
-pub fn to_scale(source: &Source, like: &Inputs) -> Option<Picture> {
+/// A call as it was carried out, a mm of the machine as a mm of the paper, with the dimensions of its picture; none: its
+/// picture shows no cycle at work.
+pub fn to_scale(source: &Source) -> Option<Picture> {
     let inputs = source.call.as_ref()?;
     let staged = inputs.cycle.picture.at_work()?;
-    let staging = Staging { scale: (staged.stage)(like).scale, then: None, ..(staged.stage)(inputs) };
+    let staging = Staging { scale: 1.0, then: None, ..(staged.stage)(inputs) };
     let upright = staging.looks.first().is_some_and(|look| look.up[2] != 0.0);
     let performed = Performed::done(inputs, staging, source);
     let Laid { mut shapes, seen, .. } = laid(std::slice::from_ref(&performed), GAP);
