@@ -64,8 +64,8 @@ describe("an argument list of newer controls", () => {
     assert.match(await page.locator(".cm-told").textContent(), /S_SETV: .*ball/i);
     if (process.env.PICTURES) await page.screenshot({ path: `${process.env.PICTURES}/told-1280.png` });
     // by key as well: at the caret, until it is closed or the caret moves
-    await page.mouse.move(0, 0);
     await line.click();
+    await page.mouse.move(0, 0);
     await page.keyboard.press("End");
     await page.keyboard.press("ArrowLeft");
     await page.locator(".cm-told").waitFor({ state: "detached" });
@@ -90,7 +90,8 @@ describe("an argument list of newer controls", () => {
     if (!(await rows.first().isVisible())) await page.locator("button[aria-controls=outline]").click();
     await rows.first().waitFor();
     assert.match(await rows.first().textContent(), /TCH PROBE 427/);
-    await page.getByRole("button", { name: "Whole program" }).click();
+    await page.locator(".segments").getByRole("button", { name: "Whole program" }).click();
+    await page.locator("#tab-problems").click();
     await page
       .getByText(/Program of HEIDENHAIN TNC, probe cycles: 1\. It is read, checked/)
       .first()

@@ -246,12 +246,12 @@ pub fn read_back(asked: ReadBackRequest) -> Result<ReadBack, Error> {
     let machine = with_values(asked.setup, &times)?;
     let there: BTreeSet<&str> =
         machine.groups.iter().flat_map(|group| &group.fields).map(|field| field.setting.name.as_str()).collect();
-    let read = typed.keys().filter(|name| there.contains(name.as_str())).count();
+    let of_files = || typed.keys().filter(|name| !becomes_newer || *name != GENERATION);
+    let read = of_files().filter(|name| there.contains(name.as_str())).count();
     if read == 0 {
         return Err(Error::new("machine-check-nothing", Path::default()));
     }
-    let names: BTreeSet<&String> = before.data.keys().chain(machine.data.keys()).collect();
-    let changed = names.into_iter().filter(|name| before.data.get(*name) != machine.data.get(*name)).count();
+    let changed = of_files().filter(|name| before.data.get(*name) != machine.data.get(*name)).count();
     let ending = Message::new(if becomes_newer { "definitions-read-newer" } else { "definitions-read" })
         .number("read", read as f64)
         .number("changed", changed as f64)
@@ -343,6 +343,7 @@ mod tests {
         let files = || vec![ExportedFile { name: file.saved.to_owned(), text: file.text.clone() }];
         let back = read_back(ReadBackRequest { setup: None, files: files() }).unwrap();
         assert_eq!((back.machine.problems, back.ending.key.as_ref()), (vec![], "definitions-read-newer"));
+        assert_eq!((back.read, back.changed), (5, 5));
         assert_eq!(back.machine.data, before.data);
         let setup = own(json!({ "PW-GENERATION": 2 }));
         let back = read_back(ReadBackRequest { setup, files: files() }).unwrap();

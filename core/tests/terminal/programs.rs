@@ -476,5 +476,16 @@ fn definition_files_are_read_and_written() {
     assert!(out(&again).contains("N10 DEF NCK INT _CVAL[4]=(2,2)"), "{}", out(&again));
     std::fs::write(folder.join("x.mpf"), "G0 X1\n").unwrap();
     assert_eq!(probewright(&["definitions", &path("x.mpf")]).status.code(), Some(2)); // no datum of a machine
+    // without a machine the core's own begins, and what is saved is one: of a newer control, with the lines read
+    let newer = path("A.TEA");
+    let lines = "N54600 $SNS_MEA_WP_BALL_DIAM[0]=5.9\nCHANDATA(1)\nN55634 $SCS_MEA_FEED_PLANE_VALUE=700\n";
+    std::fs::write(&newer, lines).unwrap();
+    let done = probewright(&["definitions", &newer, "--save", &saved]);
+    assert_eq!((done.status.code(), err(&done).lines().count()), (Some(0), 2), "{}", err(&done));
+    assert!(err(&done).starts_with("2 values read, 2 changed, 0 not accepted."), "{}", err(&done));
+    let again = probewright(&["definitions", "--setup", &saved]);
+    assert_eq!(out(&again), format!("; PW_MEAS.TEA\n{lines}\n"));
+    let call = super::file("newer-control.mpf", b"G54 G17 T1 D1 M6\n_MVAR=1 _SETVAL=9\nCYCLE977\nM30\n");
+    assert!(out(&probewright(&["check", &call, "--setup", &saved])).contains("PW197"));
     std::fs::remove_dir_all(&folder).unwrap();
 }

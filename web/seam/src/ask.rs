@@ -189,7 +189,7 @@ fn changed(text: &str, change: &Value) -> String {
 /// Questions of the wrong shape, about what is not there, and with numbers that are none: each answer is a sentence or
 /// a document, never a broken module.
 fn wrong(seam: &Seam, told: &mut Answers) {
-    let asked: [(&str, Question); 13] = [
+    let asked: [(&str, Question); 14] = [
         ("form", seam.form),
         ("help", seam.help),
         ("machine", seam.machine),

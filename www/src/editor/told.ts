@@ -1,7 +1,15 @@
 // What is told of a place of the program: where the pointer rests, and by a key at the caret.
 
 import { type EditorState, type Extension, StateEffect, StateField } from "@codemirror/state";
-import { type Command, EditorView, hoverTooltip, showTooltip, type Tooltip } from "@codemirror/view";
+import {
+  type Command,
+  closeHoverTooltips,
+  EditorView,
+  hasHoverTooltips,
+  hoverTooltip,
+  showTooltip,
+  type Tooltip,
+} from "@codemirror/view";
 
 /** What is told of a unit of a line, and of which of its units; null: nothing. */
 export type Pointed = (line: string, at: number) => { from: number; to: number; told: HTMLElement } | null;
@@ -40,9 +48,9 @@ export const tell =
     return true;
   };
 
-/** Takes it away; false: there was none. */
+/** Takes away what is told, also under the pointer; false: there was nothing. */
 export const untell: Command = view => {
-  const shown = view.state.field(atCaret) !== null;
-  if (shown) view.dispatch({ effects: showEffect.of(null) });
+  const shown = view.state.field(atCaret) !== null || hasHoverTooltips(view.state);
+  if (shown) view.dispatch({ effects: [showEffect.of(null), closeHoverTooltips] });
   return shown;
 };

@@ -2,7 +2,10 @@
 
 use crate::file::{self, Problem};
 use probewright_core::app::{self, DefinitionsRequest, DefinitionsView, ExportedFile, ReadBackRequest};
+use probewright_core::control::Plane;
+use probewright_core::dialect::Dialect;
 use probewright_core::json;
+use probewright_core::machine::Setup;
 use probewright_core::message::Message;
 use probewright_core::words::Words;
 use serde_json::{Value, json};
@@ -35,7 +38,7 @@ pub fn definitions(asked: &Arguments, words: &Words, out: &mut dyn Write) -> Res
             file::setup(path, asked.json, words, out)?;
             serde_json::from_slice(&file::bytes(path)?)?
         }
-        None => json!({ "own": {} }),
+        None => serde_json::to_value(Setup::calibrated(Dialect::Sinumerik, Plane::G17))?,
     };
     let mut problems = false;
     if !asked.files.is_empty() {
@@ -74,8 +77,7 @@ fn read(asked: &Arguments, setup: &mut Value, words: &Words) -> Result<bool, Pro
     }
     let request = ReadBackRequest { setup: Some(serde_json::from_value(setup.clone())?), files };
     let back = app::read_back(request).map_err(|refused| file::wrong(refused.message))?;
-    let place = if setup.get("own").is_some() { setup.pointer_mut("/own") } else { Some(setup) };
-    if let Some(Value::Object(members)) = place {
+    if let Value::Object(members) = setup {
         members.insert("data".to_owned(), json!(back.machine.data));
     }
     file::complain(&words.text(&back.ending));
