@@ -96,6 +96,7 @@ impl Call {
             comments: None,
             written: None,
             style: None,
+            measured: Vec::new(),
             predict,
             limits: false,
             twin: false,
