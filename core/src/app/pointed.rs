@@ -47,11 +47,12 @@ pub struct PointedView {
 /// What is told of a place; none: nothing.
 pub fn pointed(asked: &PointedRequest) -> Option<PointedView> {
     let line = asked.line.as_str();
-    if line.len() > LONGEST || asked.control != Dialect::Sinumerik {
+    if line.len() > LONGEST {
         return None;
     }
     let at = byte(line, asked.at);
-    let (span, name, meaning, about) = argument(line, at).or_else(|| parameter(line, at))?;
+    let of_list = (asked.control == Dialect::Sinumerik).then(|| argument(line, at)).flatten();
+    let (span, name, meaning, about) = of_list.or_else(|| parameter(line, at))?;
     let positions = Positions::new(line.as_bytes());
     Some(PointedView {
         from: positions.utf16(span.start),
@@ -142,6 +143,10 @@ mod tests {
         let told = at("  Q262=+12 ;NOMINAL DIAMETER ~", 4).unwrap();
         assert_eq!((told.name.as_str(), &*told.meaning.key, told.from, told.to), ("Q262", "tnc-q262", 2, 10));
         assert_eq!(at("Q999=1", 2), None);
+        // in DIN/ISO they stand behind the function; whichever control is chosen
+        let line = "N30 G421 Q273=+50 Q274=+50 *".to_owned();
+        let told = pointed(&PointedRequest { control: Dialect::Nct, line, at: 20 }).unwrap();
+        assert_eq!((told.name.as_str(), told.from, told.to), ("Q274", 18, 26));
         assert_eq!(at("G1 Q262=5", 5), None);
     }
 }

@@ -52,11 +52,15 @@ pub fn calls(source: &[u8]) -> Vec<ForeignCall> {
     found
 }
 
-/// The values that a line gives which goes on with a call.
+/// The values that a line gives which makes a call, or goes on with one.
 pub fn values_of_line(line: &[u8]) -> Vec<ForeignValue> {
     let code = code(line);
     let at = code.as_ptr() as usize - line.as_ptr() as usize;
-    if is_value(code) { values(code, at) } else { Vec::new() }
+    match called(code) {
+        Some((_, length)) => values(code.get(length..).unwrap_or_default(), at + length),
+        None if is_value(code) => values(code, at),
+        None => Vec::new(),
+    }
 }
 
 /// Lines with where they begin, without what ends them.
