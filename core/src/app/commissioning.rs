@@ -130,7 +130,8 @@ pub fn compatibility(asked: CompatibilityRequest) -> Result<CompatibilityView, E
     })
 }
 
-/// Only the NCU has the software that the datum names: the numbers of a CCU and of a panel count differently (B:165).
+/// Only the NCU has the software that the datum names: those of a CCU and of a panel
+/// count differently (A:13970-13992).
 fn row(one: &Software, digit: Option<u32>) -> CompatibilityRow {
     let Software { component, version, works, source } = one;
     let word = |works: Option<bool>| match works {
