@@ -61,8 +61,8 @@ pub fn draw(inputs: &Inputs, staged: &Staged) -> Picture {
     drawn(&Views::of(&example, staged), &example, staged)
 }
 
-/// A call as it was carried out, a mm of the machine as a mm of the paper, with the dimensions of its picture; none: its
-/// picture shows no cycle at work.
+/// A call as it was carried out, a mm of the machine as a mm of the paper, with the dimensions of its picture; none:
+/// its picture shows no cycle at work.
 pub fn to_scale(source: &Source) -> Option<Picture> {
     let inputs = source.call.as_ref()?;
     let staged = inputs.cycle.picture.at_work()?;
