@@ -191,7 +191,7 @@ function row(came: Came): TemplateResult {
     <span class="scenario-name">${came.name}</span>
     <span class="meta">${"why" in came ? nothing : `${length}/${cases.length}`}</span>
     <span class="meta scenario-source">${"source" in came ? from(came) : nothing}</span>
-    ${"why" in came ? html`<p>${came.why} ${t("scenario-cure")}</p>` : cases.filter(one => !holds(one)).map(differing)}
+    ${"why" in came ? html`<p>${came.why}</p><p>${t("scenario-cure")}</p>` : cases.filter(one => !holds(one)).map(differing)}
   </li>`;
 }
 
