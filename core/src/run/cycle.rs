@@ -115,6 +115,7 @@ pub fn carry_out(run: &mut Interpreter, cycle: &'static Cycle, checked: Checked,
             if let (Some(result), Code::Alarm(number)) = (cycle.alarm_result(), code) {
                 run.sim.write(result.name, f64::from(number));
             }
+            run.known_alarm(span);
             call::alarm(&mut run.sim, code).map_err(Halt::at(span))
         }
         // a list of a newer control of which not everything is known

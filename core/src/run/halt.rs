@@ -7,6 +7,9 @@ use crate::machine::Stop;
 use crate::message::Message;
 use crate::problem::Problem;
 
+/// Key of what is said of an alarm that ends the run.
+pub const ALARM: &str = "run-alarm";
+
 /// Something wrong in the program, or a stop of the machine, with the place that caused it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Halt {
@@ -26,7 +29,7 @@ impl Halt {
             Stop::Fault(message) => Problem { span: self.span, message: message.clone() }.diagnostic(Severity::Error),
             Stop::Alarm(code) => {
                 let hint = Some(Message::new(alarms::cure(*code, control)));
-                Diagnostic { code: *code, hint, ..Problem::at("run-alarm", self.span).diagnostic(Severity::Error) }
+                Diagnostic { code: *code, hint, ..Problem::at(ALARM, self.span).diagnostic(Severity::Error) }
             }
         }
     }

@@ -2,9 +2,9 @@
 
 use super::{
     Halt, Level, Limits, Locals, Modal, Outcome, assumed::Made, called::Called, contour, contour::Contour, defined,
-    endless, endless::Watch, limits, logged, mode, motion, noted, noted::Noted, of_machine, of_machine::Asked,
-    outcome::PassedOver, own_parameters, pieces, pieces::Pieces, repeat, rules::Rules, standard::Pattern, statement,
-    subprogram, synchronous, synchronous::Actions, unread, unread::Unread,
+    endless, endless::Watch, halt::ALARM, limits, logged, mode, motion, noted, noted::Noted, of_machine,
+    of_machine::Asked, outcome::PassedOver, own_parameters, pieces, pieces::Pieces, repeat, rules::Rules,
+    standard::Pattern, statement, subprogram, synchronous, synchronous::Actions, unread, unread::Unread,
 };
 use crate::catalogue::Functions;
 use crate::control::Value;
@@ -419,6 +419,12 @@ impl Interpreter {
     pub fn tell_once(&mut self, mut found: Diagnostic) -> bool {
         found.span = found.span.map(|span| self.placed(span));
         self.keep(found)
+    }
+
+    /// The alarm that ends the run at this place is told already, with what is wrong.
+    pub fn known_alarm(&mut self, span: Span) {
+        let place = self.placed(span);
+        self.seen.insert((place.start, ALARM.to_owned()));
     }
 
     /// A place of the program at hand in the text that came.

@@ -272,7 +272,7 @@ mod tests {
     fn what_is_named_varies_also_by_a_list() {
         let (mut setup, series) = part(Vec::new());
         let varied: Vec<Vary> = variables(&setup).iter().map(|one| vary(&one.name)).collect();
-        assert_eq!(varied.len(), 16);
+        assert_eq!(varied.len(), 17);
         setup.series = Series { vary: varied, ..series.clone() };
         known(&setup).unwrap();
         let listed = Vary { sigma: 0.0, values: vec![0.03, 0.05], ..vary("workpiece[0].errors.size") };

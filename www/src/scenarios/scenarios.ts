@@ -182,6 +182,11 @@ function unusedOf(unused: readonly string[]): TemplateResult {
   </details>`;
 }
 
+/** Why a scenario was not carried out, and what helps. */
+const refused = (why: string): TemplateResult =>
+  html`<p>${why}</p>
+    <p>${t("scenario-cure")}</p>`;
+
 function row(came: Came): TemplateResult {
   const fine = good(came);
   const cases = casesOf(came);
@@ -192,7 +197,7 @@ function row(came: Came): TemplateResult {
     <span class="scenario-name">${came.name}</span>
     <span class="meta">${"why" in came ? nothing : `${length}/${cases.length}`}</span>
     <span class="meta scenario-source">${"source" in came ? from(came) : nothing}</span>
-    ${"why" in came ? html`<p>${came.why} ${t("scenario-cure")}</p>` : cases.filter(one => !holds(one)).map(differing)}
+    ${"why" in came ? refused(came.why) : cases.filter(one => !holds(one)).map(differing)}
   </li>`;
 }
 

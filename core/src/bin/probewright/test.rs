@@ -118,7 +118,7 @@ fn print(carried: &Carried, words: &Words, out: &mut dyn Write) -> std::io::Resu
     let view = match &carried.came {
         Ok(view) => view,
         Err(why) => {
-            return writeln!(out, "{}  {why} {}", words.key("terminal-test-failed"), words.key("scenario-cure"));
+            return writeln!(out, "{}  {why}\n    {}", words.key("terminal-test-failed"), words.key("scenario-cure"));
         }
     };
     for CaseView { id, differences, .. } in &view.cases {

@@ -152,6 +152,15 @@ fn old_follow_up_files_stay() {
     assert!(lines(&outcome, "LOG_1_1.MPF").len() > 2);
 }
 
+// oracle: manual A:15894 (61352), hand (what is wrong is told once, and the run stops)
+#[test]
+fn a_name_that_is_refused_is_told_once() {
+    let outcome = carried_out("_PROTNAME[1]=\"/X/LOG\"\nCYCLE100", &setup());
+    assert_eq!(outcome.alarms(), [Code::Alarm(61352)]);
+    let told = outcome.diagnostics.iter().filter(|one| one.code == Code::Alarm(61352));
+    assert_eq!(told.count(), 1, "{:?}", outcome.diagnostics);
+}
+
 // oracle: manual B:11209, B:11233 (without CYCLE101 the log stays on)
 #[test]
 fn a_log_that_stays_on_is_told() {
