@@ -104,7 +104,7 @@ fn a_program_of_another_maker_is_not_run() {
             let output = probewright(&[&["run", &path], more].concat());
             assert_eq!(output.status.code(), Some(1), "{}", err(&output));
             let told = out(&output);
-            let first = format!("{path}:1:1: error[PW387]: Program of HEIDENHAIN TNC, probe cycles: 1.");
+            let first = format!("{path}:1:1: error[PW388]: Program of HEIDENHAIN TNC, probe cycles: 1.");
             assert!(told.starts_with(&first), "{more:?} {told}");
             assert_eq!(told.lines().count(), 2, "{more:?} {told}");
             assert!(told.ends_with("The program stopped in line 1.\n"), "{told}");
