@@ -73,8 +73,7 @@ describe("the record of a run", () => {
     const told = (await sheet.innerText()).replaceAll("\u00a0", " ");
     const filled = ["Flange 12", "A-4711", "Mill 3"];
     const shown = ["Measurement record", "hole.mpf", "SINUMERIK", "ball 6 mm", "132.030", "±0.100", "+0.030"];
-    for (const part of [...shown, ...filled])
-      assert.ok(told.includes(part), `${part}\n${told}`);
+    for (const part of [...shown, ...filled]) assert.ok(told.includes(part), `${part}\n${told}`);
     assert.match(told, /30 %/);
     assert.match(told, /machine that cut the part/);
     assert.equal(await sheet.locator(".numbered text").textContent(), "1");
