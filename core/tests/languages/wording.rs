@@ -232,10 +232,11 @@ fn numbers_stay_with_their_units() {
 }
 
 /// Texts of what is too large that name no limit, with the reason.
-const NO_LIMIT: [(&str, &str); 6] = [
+const NO_LIMIT: [(&str, &str); 7] = [
     ("alarm-", "sentence of the control's own alarm: the limit depends on machine and variant"),
     ("nct-", "sentence of the control's own message: the limit is a value of the call"),
     ("evaluate-", "a line of the run, beside the values that were compared"),
+    ("guide-", "a guide says what happens, not what happened"),
     ("help-", "a help page says what a mistake does to the result"),
     ("jog-help-", "the same of a mask"),
     ("notice-link-long", "the limit is one of the packed text, which nobody can measure"),

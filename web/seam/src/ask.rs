@@ -85,6 +85,21 @@ pub fn cycles(seam: &Seam) -> Vec<Value> {
     catalogue["cycles"].as_array().cloned().unwrap_or_default()
 }
 
+/// What is told at each place of an argument of a list, of a parameter of a control that is read and not run, and where
+/// there is nothing to tell.
+fn pointed(seam: &Seam, control: &str) -> Value {
+    let all = cycles(seam);
+    let names = all.iter().filter(|one| one["control"] == control).filter_map(|one| one["cycle"].as_str());
+    let lists = names.map(|name| format!("N10 MSG(\"ü𝄞\") {name}(101,,,1,50)"));
+    let lines = lists.chain(["  Q262=+12 ;NOMINAL DIAMETER ~", "G1 X5"].map(str::to_owned));
+    let of_line = |line: String| {
+        let places = 0..=line.encode_utf16().count();
+        let asked = places.map(|at| json!({ "control": control, "line": line, "at": at }).to_string());
+        Value::Array(asked.map(|asked| read_value((seam.pointed)(&asked))).collect())
+    };
+    Value::Array(lines.map(of_line).collect())
+}
+
 /// What is asked about no cycle.
 pub fn beside(seam: &Seam, told: &mut Answers) {
     told.insert("catalogue".into(), read_value(Ok((seam.catalogue)())));
@@ -92,14 +107,7 @@ pub fn beside(seam: &Seam, told: &mut Answers) {
     for control in ["sinumerik", "nct"] {
         let add = json!({ "control": control, "change": { "add": { "table": "tools", "row": "" } } });
         told.insert(format!("equip {control}"), read_value((seam.equip)(&add.to_string())));
-        // an argument of a list, a parameter of a control that is read and not run, and what nothing is told of
-        let lines = ["N10 MSG(\"ü𝄞\") CYCLE977(101,,,1,50)", "  Q262=+12 ;NOMINAL DIAMETER ~", "G1 X5"];
-        let pointed = lines.map(|line| {
-            let at = line.encode_utf16().count() as u32;
-            let places = (0..=at).map(|at| json!({ "control": control, "line": line, "at": at }).to_string());
-            json!(places.map(|asked| read_value((seam.pointed)(&asked))).collect::<Vec<_>>())
-        });
-        told.insert(format!("pointed {control}"), json!(pointed));
+        told.insert(format!("pointed {control}"), pointed(seam, control));
         let run = json!({ "control": control, "text": "G0 X10\nG1 X20 F100\nM30\n" });
         let noted = (seam.note)(&json!({ "run": run, "name": "part.mpf", "case": "first" }).to_string());
         let carried_out = noted.clone().and_then(|text| (seam.scenario)(&text));

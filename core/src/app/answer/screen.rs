@@ -28,7 +28,8 @@ pub struct ResultScreen {
     pub rows: Vec<ScreenRow>,
     /// Single values below, in the order of the manual's list.
     pub values: Vec<ScreenValue>,
-    /// Decimals of its values: `_DIGIT`, the display precision (B:11443, B:13174).
+    /// Decimals of its values: `_DIGIT`, the display precision.
+    // B:11443, B:13174
     pub digits: u32,
     /// How long it is shown.
     pub until: ScreenUntil,
