@@ -2797,7 +2797,7 @@ export type ResultScreen = {
   rows: Array<ScreenRow>,
   /** Single values below, in the order of the manual's list. */
   values: Array<ScreenValue>,
-  /** Decimals of its values: `_DIGIT`, the display precision (B:11443, B:13174). */
+  /** Decimals of its values: `_DIGIT`, the display precision. */
   digits: number,
   /** How long it is shown. */
   until: ScreenUntil,

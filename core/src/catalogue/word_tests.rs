@@ -74,7 +74,7 @@ fn search_words_belong_to_something_that_is_found_by_them() {
     };
     let known: BTreeSet<String> = CYCLES.iter().flat_map(|cycle| of(cycle)).collect();
     let words = words();
-    // `around-…` is of the blocks around a call, above this room: app/around_tests.rs; `guide-…` of the guides beside it
+    // `around-…` is of the blocks around a call, above this room (app/around_tests.rs), `guide-…` of the guides there
     let elsewhere = |key: &str| ["around-", "guide-"].iter().any(|start| key.starts_with(start));
     let of_cycles = words.keys().filter(|key| !elsewhere(key));
     let there: Vec<&str> = of_cycles.filter_map(|key| key.strip_suffix("-words")).collect();
