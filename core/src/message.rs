@@ -69,6 +69,12 @@ impl Message {
         self
     }
 
+    /// With a place of the manual, whole: no user and no file makes it long.
+    pub fn source(mut self, source: impl std::fmt::Display) -> Self {
+        self.args.push(("source", Arg::Text(source.to_string())));
+        self
+    }
+
     /// A text among the arguments.
     pub fn word(&self, name: &str) -> Option<&str> {
         self.args.iter().find_map(|(known, arg)| match arg {

@@ -1,9 +1,9 @@
 # Messen in JOG als Programm und ein Aufruf als Maske: was anders ist, warum es keinen gibt.
 
-jog-differs-expected = Der Zyklus erwartet das Werkstück bis { NUMBER($reach) } mm neben der Sollposition; weiter weg kommt 61301 oder 61303. JOG sucht von dort aus, wo der Messtaster steht.
+jog-differs-expected = Der Zyklus erwartet das Werkstück bis { $reach } mm neben der Sollposition; weiter weg kommt 61301 oder 61303. JOG sucht von dort aus, wo der Messtaster steht.
 jog-differs-stand = Der Zyklus nimmt den Ort des Messtasters beim Aufruf als Sollposition und misst auf Linien durch ihn. JOG misst dort, wohin der Messtaster verfahren wurde; die Sollposition ist ein Feld.
 jog-differs-points = Der Zyklus fährt selbst von Punkt zu Punkt und tastet an eigenen Stellen an.
-jog-differs-up = Zwischen den Punkten hebt der Messtaster um { NUMBER($path) } mm ab (_ID). JOG kennt die Höhe des Werkstücks nicht: prüfen, ob das reicht.
+jog-differs-up = Zwischen den Punkten hebt der Messtaster um { $path } mm ab (_ID). JOG kennt die Höhe des Werkstücks nicht: prüfen, ob das reicht.
 jog-differs-fourth = Der Zyklus braucht einen vierten Punkt: auf halbem Weg von P3 zur Ecke.
 jog-differs-around = Der Zyklus fährt auf Messhöhe um den Zapfen. In JOG fährt der Messtaster darüber.
 jog-differs-angle = Der Zyklus misst Winkel bis 45°; darüber kommt 61331.

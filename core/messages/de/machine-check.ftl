@@ -62,9 +62,9 @@ machine-need-length-type = An einer Drehmaschine mit Bohrern oder Fräsern zähl
 
 definitions-none = Nichts weicht vom Lieferzustand ab.
 definitions-memory = Speicher für Anwenderdaten
-definitions-share = { $name }: { NUMBER($bytes) } Byte (im Lieferzustand { NUMBER($default) })
-definitions-share-channel = { $name }: { NUMBER($bytes) } Byte je Kanal (im Lieferzustand { NUMBER($default) })
-definitions-need = { $number } mindestens { NUMBER($value) } allein für die Messzyklen, { $source }
+definitions-share = { $name }: { $bytes } Byte (im Lieferzustand { $default })
+definitions-share-channel = { $name }: { $bytes } Byte je Kanal (im Lieferzustand { $default })
+definitions-need = { $number } mindestens { $value } allein für die Messzyklen, { $source }
 definitions-insert = In den ausgelieferten { $files } die Zeilen gleichen Namens ersetzen: Diese Zeilen sind nicht die ganze Datei.
 definitions-save = Vorher die im NC aktiven Anwenderdaten sichern: Das Aktivieren einer Definitionsdatei setzt ihre Werte zurück. GUD5 aktivieren, dann GUD6, dann GUD7_MC, danach NC-Reset und die Anwenderdaten zurückladen.
 definitions-older = Bis zu den Messzyklen 6.02.16 gehören die Zeilen von GUD7_MC.DEF in die GUD7.DEF.

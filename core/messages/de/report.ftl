@@ -187,7 +187,11 @@ terminal-without-text = Was diese Maschine nicht verwendet: jog, log, tool-probe
 terminal-ncu3-text = Die Steuerung ist eine NCU 3: größere Speicher
 terminal-changes-text = Datei für die zu ändernden Zeilen, wie die Steuerung sie einliest; eine vorhandene Datei wird überschrieben
 terminal-machine-json-text = Ausgabe als JSON, mit Grenzen und Quellen
-terminal-machine-limit = nötig: { $value } ({ $source }), sonst { $severity }
+terminal-machine-limit = nötig: { $value } ({ $source }), sonst { $severity ->
+        [error] Fehler
+        [warning] Warnung
+       *[note] Hinweis
+    }
 terminal-machine-source = Quelle: { $source }
 terminal-machine-default = Standardwert: { $value }
 terminal-machine-change = Änderung: { $line }

@@ -144,6 +144,6 @@ run-skipped-program-test = { $word } wird übersprungen: Programmtest ($P_ISTEST
 run-skipped-block-search = { $word } wird übersprungen: Satzsuchlauf ($P_SEARCH). _OVR[] und _OVI[] behalten ihre Werte, nichts wird korrigiert.
 run-skipped-simulation = { $word } wird übersprungen: Simulation mit _MC_SIMSIM = 0. _OVR[] und _OVI[] behalten ihre Werte, nichts wird korrigiert.
 run-jobshop = { $word } wird simuliert: Er misst, korrigiert aber nichts, zeigt kein Ergebnis und protokolliert nicht.
-run-deviation = { $word } misst { NUMBER($deviation) } mm hinter der Berührung in Messrichtung (_MC_SIMDIFF).
+run-deviation = { $word } misst { $deviation } mm hinter der Berührung in Messrichtung (_MC_SIMDIFF).
 run-search-missed = Der Satzsuchlauf hat Zeile { $line } nicht erreicht: Alle Messzyklen wurden übersprungen.
 run-mode-none = NCT-Steuerungen haben die Betriebsart { $word } hier nicht: Das Programm lief wie in AUTOMATIK.

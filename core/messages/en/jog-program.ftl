@@ -1,9 +1,9 @@
 # Measuring in JOG as a program, and a call as its mask: what differs, why there is none.
 
-jog-differs-expected = The cycle expects the part within { NUMBER($reach) } mm of the set position; further away it raises 61301 or 61303. JOG searches from where the probe stands.
+jog-differs-expected = The cycle expects the part within { $reach } mm of the set position; further away it raises 61301 or 61303. JOG searches from where the probe stands.
 jog-differs-stand = The cycle takes where the probe stands at the call as set position, and measures on lines through it. JOG measures through where the probe was jogged to; the set position is a field.
 jog-differs-points = The cycle travels between its points by itself and touches at places of its own.
-jog-differs-up = Between the points the probe rises by { NUMBER($path) } mm (_ID). JOG does not know the height of the part: check that this is enough.
+jog-differs-up = Between the points the probe rises by { $path } mm (_ID). JOG does not know the height of the part: check that this is enough.
 jog-differs-fourth = The cycle needs a fourth point: half way from P3 to the corner.
 jog-differs-around = The cycle goes around the spigot at measuring height. In JOG the probe goes over it.
 jog-differs-angle = The cycle measures angles up to 45°; beyond that it raises 61331.

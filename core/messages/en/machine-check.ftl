@@ -62,9 +62,9 @@ machine-need-length-type = On a lathe with drills or milling tools, their length
 
 definitions-none = Nothing differs from delivery.
 definitions-memory = Memory of user data
-definitions-share = { $name }: { NUMBER($bytes) } bytes (default { NUMBER($default) })
-definitions-share-channel = { $name }: { NUMBER($bytes) } bytes for each channel (default { NUMBER($default) })
-definitions-need = { $number } at least { NUMBER($value) } for the measuring cycles alone, { $source }
+definitions-share = { $name }: { $bytes } bytes (default { $default })
+definitions-share-channel = { $name }: { $bytes } bytes for each channel (default { $default })
+definitions-need = { $number } at least { $value } for the measuring cycles alone, { $source }
 definitions-insert = Replace the lines of the same names in the original { $files }: these lines are not the whole file.
 definitions-save = First save the user data that are active in the NC: activating a definition file resets their values. Activate GUD5, then GUD6, then GUD7_MC, then NC reset, then read the user data back in.
 definitions-older = Up to measuring cycles 6.02.16 the lines of GUD7_MC.DEF belong to GUD7.DEF.

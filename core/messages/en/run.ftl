@@ -144,6 +144,6 @@ run-skipped-program-test = { $word } is skipped: program test ($P_ISTEST). _OVR[
 run-skipped-block-search = { $word } is skipped: block search ($P_SEARCH). _OVR[] and _OVI[] keep their values, nothing is corrected.
 run-skipped-simulation = { $word } is skipped: simulation with _MC_SIMSIM = 0. _OVR[] and _OVI[] keep their values, nothing is corrected.
 run-jobshop = { $word } is simulated: it measures, but corrects nothing, shows no result and writes no log.
-run-deviation = { $word } measures { NUMBER($deviation) } mm beyond the touch in the measuring direction (_MC_SIMDIFF).
+run-deviation = { $word } measures { $deviation } mm beyond the touch in the measuring direction (_MC_SIMDIFF).
 run-search-missed = The block search did not reach line { $line }: all measuring cycles were skipped.
 run-mode-none = NCT controls do not have the mode { $word } here: the program ran as in AUTOMATIC.

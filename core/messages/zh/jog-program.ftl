@@ -1,9 +1,9 @@
 # 在 JOG 中的测量作为程序，调用作为输入画面：区别，以及没有对应项的原因。
 
-jog-differs-expected = 循环要求工件距设定位置不超过 { NUMBER($reach) } mm，更远则报警 61301 或 61303。JOG 从测头所在位置开始寻找。
+jog-differs-expected = 循环要求工件距设定位置不超过 { $reach } mm，更远则报警 61301 或 61303。JOG 从测头所在位置开始寻找。
 jog-differs-stand = 循环以调用时测头所在位置为设定位置，并沿通过该点的直线测量。JOG 在手动移动到的位置测量，设定位置在字段中输入。
 jog-differs-points = 循环自动在各测量点之间移动，并在自己的位置触测。
-jog-differs-up = 测头在各点之间抬起 { NUMBER($path) } mm（_ID）。JOG 不知道工件高度：请检查是否足够。
+jog-differs-up = 测头在各点之间抬起 { $path } mm（_ID）。JOG 不知道工件高度：请检查是否足够。
 jog-differs-fourth = 循环需要第四点：位于 P3 与拐角之间的中点。
 jog-differs-around = 循环在测量高度绕凸台移动。在 JOG 中测头从上方越过。
 jog-differs-angle = 循环最多测量 45° 的角度，超过则报警 61331。

@@ -62,9 +62,9 @@ machine-need-length-type = 在带钻头或铣刀的车床上，刀具长度沿�
 
 definitions-none = 与出厂状态没有差别。
 definitions-memory = 用户数据存储器
-definitions-share = { $name }：{ NUMBER($bytes) } 字节（出厂时 { NUMBER($default) }）
-definitions-share-channel = { $name }：每个通道 { NUMBER($bytes) } 字节（出厂时 { NUMBER($default) }）
-definitions-need = 仅测量循环就要求 { $number } 至少为 { NUMBER($value) }，{ $source }
+definitions-share = { $name }：{ $bytes } 字节（出厂时 { $default }）
+definitions-share-channel = { $name }：每个通道 { $bytes } 字节（出厂时 { $default }）
+definitions-need = 仅测量循环就要求 { $number } 至少为 { $value }，{ $source }
 definitions-insert = 在出厂的 { $files } 中替换同名的行：这些行不是完整的文件。
 definitions-save = 请先保存 NC 中有效的用户数据：激活定义文件会复位其数值。依次激活 GUD5、GUD6、GUD7_MC，然后 NC 复位，再读回用户数据。
 definitions-older = 测量循环 6.02.16 及以下版本，GUD7_MC.DEF 的行属于 GUD7.DEF。

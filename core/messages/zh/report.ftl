@@ -187,7 +187,11 @@ terminal-without-text = 此机床不使用的功能：jog、log、tool-probe；�
 terminal-ncu3-text = 控制系统为 NCU 3：存储器较大
 terminal-changes-text = 用于存放待更改各行的文件，控制系统可直接读入；已有文件将被覆盖
 terminal-machine-json-text = 以 JSON 输出，含极限值和来源
-terminal-machine-limit = 需要：{ $value }（{ $source }），否则为 { $severity }
+terminal-machine-limit = 需要：{ $value }（{ $source }），否则为 { $severity ->
+        [error] 错误
+        [warning] 警告
+       *[note] 提示
+    }
 terminal-machine-source = 来源：{ $source }
 terminal-machine-default = 默认值：{ $value }
 terminal-machine-change = 更改：{ $line }

@@ -49,7 +49,7 @@ pub fn stem(name: &str) -> &str {
 }
 
 /// Stem and index: `_WP[0,1]` is `_WP` and 0, 1.
-pub(super) fn split(name: &str) -> Option<(&str, Vec<usize>)> {
+pub fn split(name: &str) -> Option<(&str, Vec<usize>)> {
     let Some((stem, rest)) = name.split_once('[') else { return Some((name, Vec::new())) };
     let index: Result<Vec<usize>, _> = rest.strip_suffix(']')?.split(',').map(str::parse).collect();
     Some((stem, index.ok()?))

@@ -13,7 +13,7 @@ pub fn cycle(asked: &str, words: &Words) -> String {
     for parameter in cycle.parameters {
         let _ = writeln!(text, "{:>8}  {}", parameter.name, words.key(parameter.key));
     }
-    let _ = writeln!(text, "{}", words.text(&Message::new("foreign-source").text("source", cycle.source)));
+    let _ = writeln!(text, "{}", words.text(&Message::new("foreign-source").source(cycle.source)));
     text
 }
 

@@ -231,6 +231,15 @@ fn numbers_stay_with_their_units() {
     );
 }
 
+// oracle: self: the terminal writes numbers as they are and knows no function, and prints its name
+#[test]
+fn no_text_calls_a_function() {
+    let calls = |text: &str| text.split('{').skip(1).any(|inside| inside.split('}').next().unwrap().contains('('));
+    let wrong = faults(|_, _, _, text| calls(text).then(|| text.trim().to_owned()));
+    assert!(wrong.is_empty(), "{}:\n{}", wrong.len(), wrong.join("\n"));
+    assert!(calls("a { NUMBER($way) }") && !calls("a (b) { $way } (c)"));
+}
+
 /// Texts of what is too large that name no limit, with the reason.
 const NO_LIMIT: [(&str, &str); 7] = [
     ("alarm-", "sentence of the control's own alarm: the limit depends on machine and variant"),

@@ -270,7 +270,7 @@ function wholes(): States {
     const none = (): undefined => undefined;
     const ways = { paper: none, series: none, program: () => null, core: () => null, arrows: none, real: none };
     const whole = createWhole(store, actions, none, ways);
-    const run = { answers, finished: true } as unknown as RunView;
+    const run = { answers, finished: true, about: { machine: "" } } as unknown as RunView;
     const derived = { run, read: { calls: [] }, step: 3 } as unknown as Derived;
     whole.draw(patched(store.state, { view: { source: "program" } }), derived);
     return [`${answers.length} rows`, el("div", { class: "results-main" }, whole.root)]; // it is as wide as its panel

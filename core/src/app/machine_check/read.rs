@@ -29,6 +29,16 @@ pub struct Given {
     pub value: Value,
     /// Where.
     pub place: Place,
+    /// By a definition, which an assignment changes whatever the order of the files.
+    pub defined: bool,
+}
+
+/// Values of an array in a definition: elements behind a list that is shorter than the array are 0 (B:14228-14234).
+#[derive(Clone, Debug)]
+struct List {
+    sizes: Vec<usize>,
+    count: usize,
+    zero: Given,
 }
 
 /// A line that says something that does not go together with another, or that cannot be read.
@@ -51,6 +61,7 @@ pub struct Exported {
     pub data: BTreeMap<(String, u32), Given>,
     /// Sizes of the arrays in definition lines, by name.
     pub sizes: BTreeMap<String, (Vec<usize>, Place)>,
+    lists: BTreeMap<(String, u32), List>,
     /// Data that are given again with another value; the last one counts.
     pub twice: Vec<Odd>,
     /// Data whose value cannot be read.
@@ -72,7 +83,14 @@ impl Exported {
     /// A datum as a channel sees it.
     pub fn get(&self, name: &str, channel: u32) -> Option<&Given> {
         let of = |channel| self.data.get(&(name.to_owned(), channel));
-        of(channel).or_else(|| of(0))
+        of(channel).or_else(|| of(0)).or_else(|| self.behind_list(name, channel)).or_else(|| self.behind_list(name, 0))
+    }
+
+    /// An element behind the list of a definition.
+    fn behind_list(&self, name: &str, channel: u32) -> Option<&Given> {
+        let (stem, index) = arrays::split(name)?;
+        let list = self.lists.get(&(stem.to_owned(), channel))?;
+        arrays::place(&index, &list.sizes).filter(|place| *place >= list.count).map(|_| &list.zero)
     }
 
     /// A number as a channel sees it.
@@ -140,7 +158,7 @@ impl Line<'_> {
             return;
         };
         match self.scan.values() {
-            Some(values) => self.fill(&datum, &values),
+            Some(values) => self.fill(&datum, &values, false),
             None => {
                 let texts = [self.scan.rest().to_owned(), String::new()];
                 let odd = Odd { name: datum.name, channel: *self.channel, place: self.place, texts };
@@ -163,7 +181,8 @@ impl Line<'_> {
                     if self.scan.assigns()
                         && let Some(values) = self.scan.values()
                     {
-                        self.fill(&Datum { name, sizes, channel: found.channel }, &values);
+                        self.list(&name, &sizes, found.channel, values.len());
+                        self.fill(&Datum { name, sizes, channel: found.channel }, &values, true);
                     }
                 }
                 Token::Number(_) | Token::Text(_) | Token::Sign(_) => {}
@@ -171,8 +190,15 @@ impl Line<'_> {
         }
     }
 
+    /// Remembers how far the list of a definition goes.
+    fn list(&mut self, name: &str, sizes: &[usize], of_channel: bool, count: usize) {
+        let channel = if of_channel { *self.channel } else { 0 };
+        let zero = Given { value: Value::Number(0.0), place: self.place, defined: true };
+        self.to.lists.insert((name.to_owned(), channel), List { sizes: sizes.to_vec(), count, zero });
+    }
+
     /// Gives a datum, or the elements of an array from this one on, their values.
-    fn fill(&mut self, datum: &Datum, values: &[Option<Value>]) {
+    fn fill(&mut self, datum: &Datum, values: &[Option<Value>], defined: bool) {
         let alone = datum.sizes.is_empty() || values.len() == 1 && datum.name.contains('[');
         let names = match alone {
             true => vec![datum.name.clone()],
@@ -180,20 +206,25 @@ impl Line<'_> {
         };
         for (name, value) in names.into_iter().zip(values) {
             if let Some(value) = value {
-                self.give(name, datum.channel, value.clone());
+                self.give(name, datum.channel, value.clone(), defined);
             }
         }
     }
 
-    fn give(&mut self, name: String, of_channel: bool, value: Value) {
+    fn give(&mut self, name: String, of_channel: bool, value: Value, defined: bool) {
         let channel = if of_channel { *self.channel } else { 0 };
-        let given = Given { value, place: self.place };
-        let shown = shown(&given.value);
-        if let Some(before) = self.to.data.insert((name.clone(), channel), given).map(|given| self::shown(&given.value))
-            && before != shown
-        {
-            self.to.twice.push(Odd { name, channel, place: self.place, texts: [shown, before] });
+        let given = Given { value, place: self.place, defined };
+        let key = (name, channel);
+        let before = self.to.data.get(&key);
+        if before.is_some_and(|before| defined && !before.defined) {
+            return; // the program of value assignments runs behind the definitions
         }
+        let texts = before.filter(|before| before.defined == defined && before.value != given.value);
+        if let Some(before) = texts {
+            let texts = [shown(&given.value), shown(&before.value)];
+            self.to.twice.push(Odd { name: key.0.clone(), channel, place: self.place, texts });
+        }
+        self.to.data.insert(key, given);
     }
 }
 
@@ -320,7 +351,8 @@ mod tests {
         assert_eq!(read.sizes.get("_WP").map(|(_, place)| place.line), Some(5));
         assert!(!read.sizes.contains_key("_KB"));
         assert_eq!((read.number("_CVAL[1]", 0), read.number("_CVAL[2]", 0)), (Some(2.0), Some(0.0)));
-        assert_eq!((read.number("_TP[0,7]", 0), read.number("_TP[1,7]", 0)), (Some(133.0), None));
+        assert_eq!((read.number("_TP[0,7]", 0), read.number("_TP[1,7]", 0)), (Some(133.0), Some(0.0)));
+        assert_eq!((read.number("_TP[2,7]", 0), read.number("_WP[0,1]", 0)), (None, None));
         assert_eq!(read.number("_EVMVNUM[1]", 0), Some(10.0));
         let set = self::read("DEF CHAN INT _JM_I[10] = SET(0,1,,17)\nDEF CHAN REAL _MC_MTL[3]=(33.3,33.3,33.3)");
         assert_eq!((set.number("_JM_I[1]", 0), set.number("_JM_I[2]", 0)), (Some(1.0), None));

@@ -105,7 +105,7 @@ fn print(view: &DefinitionsView, words: &Words, out: &mut dyn Write) -> std::io:
     }
     for need in &view.needs {
         let message = Message::new("definitions-need").text("number", need.number).number("value", need.value);
-        writeln!(out, "  {}", words.text(&message.text("source", need.source.to_string())))?;
+        writeln!(out, "  {}", words.text(&message.source(need.source)))?;
     }
     for note in &view.notes {
         file::complain(&words.text(note));

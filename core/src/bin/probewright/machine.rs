@@ -73,9 +73,9 @@ fn print(view: &MachineCheckView, words: &Words, out: &mut dyn Write) -> std::io
         writeln!(out, "{}", line(fault, words))?;
         let limits = fault.limits.iter().map(|limit| {
             let message = Message::new("terminal-machine-limit").text("value", &limit.value);
-            words.text(&message.text("severity", severity(limit.severity)).text("source", limit.source.to_string()))
+            words.text(&message.text("severity", severity(limit.severity)).source(limit.source))
         });
-        let source = Message::new("terminal-machine-source").text("source", fault.source.to_string());
+        let source = Message::new("terminal-machine-source").source(fault.source);
         let default = Message::new("terminal-machine-default").text("value", fault.delivered.join(" / "));
         let change = Message::new("terminal-machine-change").text("line", &fault.change);
         let told = [

@@ -34,6 +34,9 @@ const MEMORIES: [&str; 2] = ["_EV", "_MV"];
 const WIPES: &str = "_CBIT[13]";
 /// Arrays of tool probes.
 const OF_TOOL_PROBES: [&str; 2] = ["_TP", "_TPW"];
+/// What calibration writes. Its values as delivered are 0, those of the core's own machine are for the simulation: in a
+/// definition they would make a probe look calibrated that is not (B:13442-13450, B:13281).
+const CALIBRATED: &str = "_WP";
 /// Elements of a tool probe that a list shorter than its array leaves at 0, where no measuring is possible.
 const ALWAYS: [usize; 3] = [7, 8, 9];
 /// Most characters of a block of the program.
@@ -55,13 +58,13 @@ pub fn lines(file: &DefinitionFile, control: &Control, delivered: &Control) -> S
         |gud: &&Gud| gud.block == file.block && gud.of_machine() && !matches!(gud.kind, Kind::Text | Kind::Frame);
     let mut text = String::new();
     for gud in gud::all().filter(simple).filter(|gud| differs(gud)) {
-        let _ = writeln!(text, "{}", line(control, gud));
+        let _ = writeln!(text, "{}", line(gud, control, delivered));
     }
     text
 }
 
 /// `N11 DEF NCK REAL _TP[2,10]=(0,…)`; an array without elements is a comment, as the manual does it (B:13281).
-fn line(control: &Control, gud: &Gud) -> String {
+fn line(gud: &Gud, control: &Control, delivered: &Control) -> String {
     let number = NUMBERS.iter().find(|(name, _)| *name == gud.name).map(|(_, number)| format!("N{number} "));
     let head = format!("{}{}", number.unwrap_or_default(), head(gud));
     let sizes = size(control, gud);
@@ -77,18 +80,22 @@ fn line(control: &Control, gud: &Gud) -> String {
     if gud.block == Block::Gud5 {
         return head; // memories begin with 0
     }
-    let values = listed(places(&sizes).iter().map(|at| element(control, gud, at)));
+    let values = listed(places(&sizes).iter().map(|at| element(gud, at, control, delivered)));
     let list = if gud.block == Block::Gud7 { "SET" } else { "" };
     if values.is_empty() { head } else { format!("{head}={list}({values})") }
 }
 
 /// An element; one beyond the delivered size has the value that is delivered for all.
-fn element(control: &Control, gud: &Gud, at: &[usize]) -> Value {
+fn element(gud: &Gud, at: &[usize], control: &Control, delivered: &Control) -> Value {
+    let own = value(control, &gud.spelled(at));
+    if gud.name == CALIBRATED && own == value(delivered, &gud.spelled(at)) {
+        return Value::Number(0.0);
+    }
     let beyond = at.iter().zip(gud.sizes).any(|(index, size)| index >= size);
     let initial = gud.elements.first().map(|element| element.initial);
     match initial {
         Some(Initial::Number(number)) if beyond => Value::Number(number),
-        _ => value(control, &gud.spelled(at)),
+        _ => own,
     }
 }
 
@@ -227,7 +234,15 @@ mod tests {
         ] {
             assert!(gud6.iter().any(|one| one == line), "{line}\n{gud6:#?}");
         }
-        assert!(gud6.iter().any(|line| line.starts_with("N12 DEF NCK REAL _WP[2,11]")), "{gud6:#?}");
+        assert!(gud6.iter().any(|line| line == "N12 DEF NCK REAL _WP[2,11]"), "{gud6:#?}");
+    }
+
+    // oracle: hand: what was calibrated is kept, and nothing else looks calibrated
+    #[test]
+    fn a_probe_is_as_calibrated_as_the_machine_says() {
+        let gud6 = of("GUD6.DEF", &changed(&[("_CVAL[1]", 2.0), ("_WP[1,0]", 5.99)]));
+        let line = gud6.iter().find(|line| line.contains("_WP[")).unwrap();
+        assert_eq!(line, "N12 DEF NCK REAL _WP[2,11]=(0,0,0,0,0,0,0,0,0,0,0,5.99)");
     }
 
     // oracle: manual B:14217-14225 (least memory: one tool probe)
