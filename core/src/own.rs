@@ -273,6 +273,7 @@ sentences! {
     OLDER_SUBROUTINE 215 Note "older-subroutine" "";
     OLDER_FACTOR 216 Note "older-factor" "";
     OLDER_MISSING 217 Note "older-missing" "older-missing-hint";
+    OLDER_CLASH 218 Warning "older-clash" "older-clash-hint";
 }
 
 #[cfg(all(test, feature = "cli"))]

@@ -78,10 +78,11 @@ pub struct OlderName {
 /// An answer that no R parameter of the 840C can have.
 pub fn older(asked: OlderRequest) -> Result<OlderView, Error> {
     let program = syntax::read_held(Dialect::Sinumerik, &asked.text.0, &Arc::default(), &mut |_| {});
-    let older = find(&program, &programs(&program), &answers(&asked.answers)?);
+    let programs = programs(&program);
+    let older = find(&program, &programs, &answers(&asked.answers)?);
     let positions = Positions::new(&program.source);
     let mut found = Vec::new();
-    findings(&program, &older, &mut found);
+    findings(&program, &programs, &older, &mut found);
     found.sort_by_key(|one| one.span.map_or(0, |span| span.start));
     Ok(OlderView {
         calls: older.calls.iter().map(|call| told(&program, &older, call)).collect(),
@@ -113,21 +114,19 @@ fn told(program: &Program, older: &Older, call: &Call) -> OlderCall {
         .flatten()
         .filter_map(|at| older.assigned.get(*at))
         .collect();
-    let one_of =
-        |one: &Assigned| one.names.iter().chain(&one.open).copied().find(|name| call.cycle.param(name).is_some());
+    let names = |one: &Assigned| call.names.get(&one.number).into_iter().flatten().copied();
     let value = |one: &Assigned| program.written(program.place(one.value));
-    let typed: Typed = reaching.iter().filter_map(|one| Some((one_of(one)?.to_string(), value(one)))).collect();
+    let typed: Typed = reaching.iter().filter_map(|one| Some((names(one).next()?.to_string(), value(one)))).collect();
     let inputs = check::read(call.cycle, &typed, &delivery(Dialect::Sinumerik), &mut Vec::new());
     let parameter = |one: &&Assigned| {
-        let names = one.names.iter().chain(&one.open);
-        let named = |name: &Name| {
-            let param = call.cycle.param(name)?;
-            let key = if *name == names::MVAR { variant(call, &typed) } else { None };
+        let named = |name: Name| {
+            let param = call.cycle.param(&name)?;
+            let key = if name == names::MVAR { variant(call, &typed) } else { None };
             let key = key.unwrap_or_else(|| format!("param-{}", param.label(&inputs)));
-            Some(OlderName { name: *name, label: Message::new(key) })
+            Some(OlderName { name, label: Message::new(key) })
         };
         let line = program.line_of(one.word.start) + 1;
-        OlderParameter { text: one.text(program), line, names: names.filter_map(named).collect() }
+        OlderParameter { text: one.text(program), line, names: names(one).filter_map(named).collect() }
     };
     OlderCall {
         name: program.name(call.name),

@@ -66,6 +66,17 @@ static TABLE: [(u16, Name, Cycles); 31] = [
     (42, names::SETVAL, Cycles::Only(SETPOINT)),
 ];
 
+/// R parameters that count only in variants that ask for their name, by cycle: one corner, one direction or one angle
+/// more (A:16138, A:16294, A:16358, A:16431, A:16452, A:16480, A:16553-16558, A:16587, A:16691, A:16701). All others
+/// count in every variant: the data keep what a variant does not read, as R parameters did.
+static BY_VARIANT: [(u16, &[&str]); 5] = [
+    (18, &["CYCLE977"]),
+    (19, &["CYCLE961", "CYCLE977", "CYCLE979"]),
+    (24, &["CYCLE976"]),
+    (26, &["CYCLE974", "CYCLE979", "CYCLE998"]),
+    (31, &["CYCLE973", "CYCLE976", "CYCLE979", "CYCLE982", "CYCLE998"]),
+];
+
 /// R parameters in which an 840C shows results; the manual maps none of them to a result of today.
 pub fn is_result(number: u16) -> bool {
     matches!(number, 40..=50 | 200..=219)
@@ -139,16 +150,22 @@ impl Called {
         self.cycle.params.iter().filter_map(missing).collect()
     }
 
-    /// What an R parameter is here: none of its names, one, or several, of which the manual does not say which. A name
-    /// that stands alone counts in every variant: the data keep what a variant does not read, as R parameters did.
+    /// What an R parameter is here: none of its names, one, or several, of which the manual does not say which.
     pub fn meant(&self, number: u16) -> Vec<Name> {
-        let known: Vec<Name> = printed(self.cycle, number).filter(|name| self.cycle.param(name).is_some()).collect();
-        match &self.inputs {
-            Some(inputs) if known.len() > 1 => {
-                let asks = |name: &Name| self.cycle.param(name).is_some_and(|param| param.is_known(inputs));
-                known.into_iter().filter(asks).collect()
-            }
-            _ => known,
-        }
+        let by_variant = BY_VARIANT.iter().any(|(known, cycles)| *known == number && cycles.contains(&self.cycle.name));
+        let counts = |name: &Name| if by_variant { self.reads(name) } else { self.cycle.param(name).is_some() };
+        printed(self.cycle, number).filter(counts).collect()
+    }
+
+    /// The parameters that an R parameter can be and that the call reads: all of the cycle where the variant is not
+    /// known.
+    pub fn read(&self) -> impl Iterator<Item = Name> {
+        let printed = |name: &Name| numbers().any(|number| self::printed(self.cycle, number).any(|one| one == *name));
+        self.cycle.params.iter().map(|param| param.name).filter(move |name| printed(name) && self.reads(name))
+    }
+
+    fn reads(&self, name: &Name) -> bool {
+        let known = |param: &Param| self.inputs.as_ref().is_none_or(|inputs| param.is_known(inputs));
+        self.cycle.param(name).is_some_and(known)
     }
 }

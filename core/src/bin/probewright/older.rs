@@ -60,9 +60,10 @@ fn pair(text: &str) -> Result<(String, String), Problem> {
 fn converted(asked: &Arguments, answers: &Answers, words: &Words, out: &mut dyn Write) -> Result<(), Problem> {
     let source = file::as_it_is(&asked.file)?;
     let program: Program = read(Dialect::Sinumerik, &source);
-    let older = find(&program, &programs(&program), answers);
+    let programs = programs(&program);
+    let older = find(&program, &programs, answers);
     let mut found = Vec::new();
-    findings(&program, &older, &mut found);
+    findings(&program, &programs, &older, &mut found);
     let edits = edits(&program, &older);
     if !edits.is_empty() {
         found.retain(|one| one.span.is_none_or(|span| older.calls.iter().all(|call| call.name != span)));

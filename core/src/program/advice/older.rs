@@ -14,7 +14,7 @@ pub fn look(program: &Program, programs: &Programs, found: &mut Vec<Diagnostic>)
         return BTreeSet::new();
     }
     let older = r_parameters::find(program, programs, &r_parameters::Answers::new());
-    r_parameters::findings(program, &older, found);
+    r_parameters::findings(program, programs, &older, found);
     let mut known: BTreeSet<u32> = older.calls.iter().map(|call| call.word.start).collect();
     for word in &program.words {
         let name = word.called().map(|name| program.name(name));

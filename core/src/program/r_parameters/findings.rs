@@ -2,7 +2,7 @@
 //! assignment where the manual leaves open what is meant.
 
 use super::edits::{edits, named, without};
-use super::{Assigned, Call, Older};
+use super::{Answers, Assigned, Call, Older, find};
 use crate::catalogue::r_parameters::{Called, FACTOR, VARIANT};
 use crate::diagnostic::{Diagnostic, Edit, Span};
 use crate::entry::names;
@@ -11,7 +11,8 @@ use crate::name::Name;
 use crate::own::{self, Own};
 use crate::syntax::Program;
 use crate::syntax::fold::{NOTHING, number};
-use std::collections::BTreeSet;
+use crate::syntax::programs::Programs;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Whether it is said of a measuring call of an 840C.
 pub fn is_of_call(found: &Diagnostic) -> bool {
@@ -19,12 +20,13 @@ pub fn is_of_call(found: &Diagnostic) -> bool {
 }
 
 /// What is to be said; the first call has the cure for all of them, as long as nothing is open.
-pub fn findings(program: &Program, older: &Older, found: &mut Vec<Diagnostic>) {
+pub fn findings(program: &Program, programs: &Programs, older: &Older, found: &mut Vec<Diagnostic>) {
+    let answered = answered(program, programs, older);
     let mut cure = Some(edits(program, older)).filter(|edits| !edits.is_empty());
     for call in &older.calls {
         let (name, cycle) = (program.name(call.name), call.cycle.name);
         let mut finding = own::OLDER_CALL.finding().text("word", name).text("cycle", cycle).on(call.name);
-        finding.message.args.push(("names", Arg::Text(meanings(older, call)))); // ours, however long
+        finding.message.args.push(("names", Arg::Text(meanings(call)))); // ours, however long
         found.push(match cure.take() {
             Some(edits) => finding.cured(Message::new("older-convert").text("cycles", of_calls(&older.calls)), edits),
             None => finding,
@@ -36,11 +38,16 @@ pub fn findings(program: &Program, older: &Older, found: &mut Vec<Diagnostic>) {
             found.push(own::OLDER_FACTOR.finding().text("text", one.text(program)).on(one.word));
         }
         if !one.open.is_empty() {
-            found.extend(questions(program, older, one));
+            found.extend(questions(program, older, &answered, one));
         } else if one.names.is_empty() && !one.read {
             let cycles = cycles(older, one);
             found.push(own::OLDER_UNUSED.finding().text("text", one.text(program)).text("cycles", cycles).on(one.word));
         }
+    }
+    for clash in &older.clashes {
+        let Some(call) = older.calls.get(clash.call) else { continue };
+        let finding = own::OLDER_CLASH.finding().text("word", program.name(call.name)).text("name", clash.name);
+        found.push(finding.text("text", program.written(clash.place(program))).on(call.name));
     }
     for (number, place) in &older.results {
         found.push(own::OLDER_RESULT.finding().text("name", format!("R{number}")).on(*place));
@@ -70,20 +77,31 @@ fn missing(program: &Program, older: &Older, call: &Call) -> Option<Diagnostic> 
 }
 
 /// What each R parameter of a call is: `R23 = _MVAR, R19 = _ID / _SZA`; those that are nothing are told by themselves.
-fn meanings(older: &Older, call: &Call) -> String {
-    let named = |(number, places): (&u16, &Vec<usize>)| {
-        let reaching = places.iter().filter_map(|at| older.assigned.get(*at));
-        let names: BTreeSet<&str> =
-            reaching.flat_map(|one| one.names.iter().chain(&one.open)).map(|name| name.as_str()).collect();
-        let names: Vec<&str> = names.into_iter().collect();
+fn meanings(call: &Call) -> String {
+    let named = |(number, names): (&u16, &BTreeSet<Name>)| {
+        let mut names: Vec<&str> = names.iter().map(|name| name.as_str()).collect();
+        names.sort_unstable();
         (!names.is_empty()).then(|| format!("R{number} = {}", names.join(" / ")))
     };
-    call.given.iter().filter_map(named).collect::<Vec<_>>().join(", ")
+    call.names.iter().filter_map(named).collect::<Vec<_>>().join(", ")
+}
+
+/// The program with each answer that a question has, by R parameter and name.
+type Answered = BTreeMap<(u16, Name), Older>;
+
+fn answered(program: &Program, programs: &Programs, older: &Older) -> Answered {
+    let asked = older.assigned.iter().flat_map(|one| one.open.iter().map(|name| (one.number, *name)));
+    let with = |(number, name): (u16, Name)| {
+        let mut answers: Answers = older.answers.clone();
+        answers.insert(number, name);
+        ((number, name), find(program, programs, &answers))
+    };
+    asked.collect::<BTreeSet<_>>().into_iter().map(with).collect()
 }
 
 /// The question at an assignment, once for each answer, which is its cure. Each answer is a sentence of its own, so
 /// that all assignments can be answered alike.
-fn questions(program: &Program, older: &Older, one: &Assigned) -> Vec<Diagnostic> {
+fn questions(program: &Program, older: &Older, answered: &Answered, one: &Assigned) -> Vec<Diagnostic> {
     let other = |name: Name| match one.rival() {
         Some(rival) => format!("R{rival}"),
         None => {
@@ -94,7 +112,8 @@ fn questions(program: &Program, older: &Older, one: &Assigned) -> Vec<Diagnostic
         let finding = sentence(one, *name)?.finding().text("text", one.text(program));
         let label = Message::new("older-answer").text("name", *name).text("text", one.text(program));
         let finding = finding.text("cycles", cycles(older, one)).text("other", other(*name)).on(one.word);
-        Some(finding.cured(label, answered(program, older, one, *name)))
+        let edits = answered.get(&(one.number, *name)).map(|older| answer(program, older, one));
+        Some(finding.cured(label, edits.unwrap_or_default()))
     };
     one.open.iter().filter_map(question).collect()
 }
@@ -115,15 +134,20 @@ fn sentence(one: &Assigned, name: Name) -> Option<&'static Own> {
     }
 }
 
-/// The edits of an answer; none where the other setpoint is read elsewhere too, so that it cannot go.
-fn answered(program: &Program, older: &Older, one: &Assigned, name: Name) -> Vec<Edit> {
-    let mut all = named(program, one, std::iter::once(name));
+/// The edits of an answer, in the program that is answered so. None where they would not be all of it: a call would get
+/// the value of another one, another question is open here, or the other setpoint is read elsewhere and cannot go.
+fn answer(program: &Program, older: &Older, one: &Assigned) -> Vec<Edit> {
+    let at = older.assigned.binary_search_by_key(&one.word.start, |other| other.word.start);
+    let Some(now) = at.ok().and_then(|at| older.assigned.get(at)) else { return Vec::new() };
     let of_rival = older.assigned.iter().filter(|other| one.rival() == Some(other.number));
     let beside: Vec<&Assigned> =
         of_rival.filter(|other| other.calls.iter().any(|call| one.calls.contains(call))).collect();
-    if beside.iter().any(|other| other.read) {
+    let stays = beside.iter().any(|other| other.read || !other.names.is_empty());
+    let clashes = older.clashes.iter().any(|clash| one.calls.contains(&clash.call));
+    if stays || clashes || !now.open.is_empty() {
         return Vec::new();
     }
+    let mut all = named(program, now, now.names.iter().copied());
     let spare: Vec<Span> = beside.iter().map(|other| other.word).collect();
     all.extend(without(program, &spare));
     all.sort_by_key(|edit| (edit.span.start, edit.span.end));

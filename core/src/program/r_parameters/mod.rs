@@ -1,8 +1,11 @@
 //! Measuring programs of the 840C: calls of subprograms (`L977`) whose parameters are R parameters, and the same with
 //! the names and cycles of today. Each assignment is changed at its place; every other byte stays.
 
+mod clash;
 mod edits;
 mod findings;
+#[cfg(test)]
+mod loop_tests;
 #[cfg(test)]
 mod tests;
 mod walk;
@@ -33,6 +36,20 @@ pub struct Older {
     pub results: Vec<(u16, Span)>,
     /// Where the program gives an R parameter a value that cannot be followed.
     pub unclear: Option<Span>,
+    /// Where a call would read the value of another call.
+    pub clashes: Vec<Clash>,
+    /// What was answered.
+    answers: Answers,
+}
+
+/// A parameter that would come to a call with the value that another call means by it.
+pub struct Clash {
+    /// Place of the call in [`Older::calls`].
+    pub call: usize,
+    /// What it reads.
+    pub name: Name,
+    /// First byte of the assignment that would give it its value.
+    pub from: u32,
 }
 
 /// A measuring call.
@@ -45,6 +62,10 @@ pub struct Call {
     pub name: Span,
     /// The values that arrive, by R parameter: places in [`Older::assigned`].
     pub given: BTreeMap<u16, Vec<usize>>,
+    /// The names that each of these R parameters is here; several: the manual does not say which.
+    pub names: BTreeMap<u16, BTreeSet<Name>>,
+    /// What it reads of what R parameters can be.
+    reads: BTreeSet<Name>,
 }
 
 /// An assignment of an R parameter that reaches a measuring call.
@@ -71,21 +92,32 @@ pub struct Assigned {
 /// comes in R23.
 pub fn find(program: &Program, programs: &Programs, answers: &Answers) -> Older {
     let mut older = walk::walk(program, programs);
-    let meant: Vec<BTreeMap<u16, Meant>> = older.calls.iter().map(|call| meant(program, &older, call)).collect();
-    for assigned in &mut older.assigned {
-        for call in &assigned.calls {
-            let Some(meant) = meant.get(*call).and_then(|all| all.get(&assigned.number)) else { continue };
-            let answer = answers.get(&assigned.number).filter(|name| meant.names.contains(*name));
-            let rival = meant.rival.filter(|rival| answers.contains_key(rival));
-            match (answer, rival) {
-                (Some(name), _) => drop(assigned.names.insert(*name)),
-                (None, Some(_)) => {} // the other one is the setpoint
-                _ if meant.open => assigned.open.extend(&meant.names),
-                _ => assigned.names.extend(&meant.names),
+    let meant: Vec<BTreeMap<u16, Meant>> = (0..older.calls.len()).map(|at| meant(program, &older, at)).collect();
+    for (index, meant) in meant.iter().enumerate() {
+        let reads = variants(program, &older, index).iter().flat_map(|one| one.read()).collect();
+        let Some(call) = older.calls.get_mut(index) else { continue };
+        call.reads = reads;
+        for (number, places) in &call.given {
+            let Some(meant) = meant.get(number) else { continue };
+            let (names, open) = meant.with(*number, answers);
+            for at in places {
+                let Some(assigned) = older.assigned.get_mut(*at) else { continue };
+                if open { &mut assigned.open } else { &mut assigned.names }.extend(&names);
             }
+            call.names.insert(*number, names);
         }
     }
+    older.answers.clone_from(answers);
+    older.clashes = clash::clashes(program, programs, &older);
     older
+}
+
+/// The cycle of a call with each variant that comes to it.
+fn variants(program: &Program, older: &Older, call: usize) -> Vec<Called> {
+    let Some(call) = older.calls.get(call) else { return Vec::new() };
+    let places = call.given.get(&VARIANT).into_iter().flatten();
+    let values = places.filter_map(|at| older.assigned.get(*at)).map(|one| number(program, one.value, NOTHING));
+    values.map(|value| Called::of(call.cycle, value)).collect()
 }
 
 /// What an R parameter is for one call.
@@ -98,11 +130,22 @@ struct Meant {
     rival: Option<u16>,
 }
 
+impl Meant {
+    /// The names with what was answered, and whether it is still open which of them is meant.
+    fn with(&self, number: u16, answers: &Answers) -> (BTreeSet<Name>, bool) {
+        match answers.get(&number).filter(|name| self.names.contains(*name)) {
+            Some(name) => (BTreeSet::from([*name]), false),
+            None if self.rival.is_some_and(|rival| answers.contains_key(&rival)) => (BTreeSet::new(), false),
+            None => (self.names.clone(), self.open),
+        }
+    }
+}
+
 /// What the R parameters that come to a call are for it.
-fn meant(program: &Program, older: &Older, call: &Call) -> BTreeMap<u16, Meant> {
+fn meant(program: &Program, older: &Older, at: usize) -> BTreeMap<u16, Meant> {
+    let Some(call) = older.calls.get(at) else { return BTreeMap::new() };
     let of = |number: &u16| call.given.get(number).into_iter().flatten().filter_map(|at| older.assigned.get(*at));
-    let variants: Vec<Called> =
-        of(&VARIANT).map(|one| Called::of(call.cycle, self::number(program, one.value, NOTHING))).collect();
+    let variants = variants(program, older, at);
     let mut all: BTreeMap<u16, Meant> = BTreeMap::new();
     for number in call.given.keys() {
         let meant = all.entry(*number).or_default();
@@ -128,9 +171,10 @@ fn meant(program: &Program, older: &Older, call: &Call) -> BTreeMap<u16, Meant> 
 }
 
 impl Older {
-    /// Whether every assignment is known to be one parameter, or none.
+    /// Whether every assignment is known to be one parameter, or none, and every call would get its own values.
     pub fn is_clear(&self) -> bool {
-        self.unclear.is_none() && self.assigned.iter().all(|one| one.open.is_empty())
+        let told = self.unclear.is_none() && self.clashes.is_empty();
+        told && self.assigned.iter().all(|one| one.open.is_empty())
     }
 }
 

@@ -21,7 +21,8 @@ fn converted(text: &str, answers: &[(u16, Name)]) -> String {
 fn told(text: &str) -> Vec<(String, String, String)> {
     let program = read(Dialect::Sinumerik, text.as_bytes());
     let mut found = Vec::new();
-    findings(&program, &find(&program, &programs(&program), &Answers::new()), &mut found);
+    let programs = programs(&program);
+    findings(&program, &programs, &find(&program, &programs, &Answers::new()), &mut found);
     let one = |one: &crate::diagnostic::Diagnostic| {
         let cured = one.cure.as_ref().map(|cure| String::from_utf8(apply(text.as_bytes(), &cure.edits)).unwrap());
         (one.message.key.to_string(), program.written(one.span.unwrap()), cured.unwrap_or_default())
@@ -33,7 +34,8 @@ fn told(text: &str) -> Vec<(String, String, String)> {
 fn completed(text: &str) -> Vec<(String, String)> {
     let program = read(Dialect::Sinumerik, text.as_bytes());
     let mut found = Vec::new();
-    findings(&program, &find(&program, &programs(&program), &Answers::new()), &mut found);
+    let programs = programs(&program);
+    findings(&program, &programs, &find(&program, &programs, &Answers::new()), &mut found);
     let missing = found.into_iter().filter(|one| one.message.key == "older-missing");
     let cured = |one: crate::diagnostic::Diagnostic| {
         let edits = one.cure.unwrap().edits;
@@ -94,9 +96,9 @@ fn programs_of_the_840c_get_the_names_of_today() {
 // oracle: hand (every byte but the names stays: tabs, comments, blanks, line ends, expressions)
 #[test]
 fn what_is_no_name_stays_byte_for_byte() {
-    let older = "\tN5 r[23] = 1 ; R23 of a bore\r\n(* ? *)\r\nN6\tR42=R5*2  R22 =1\r\n/N7 L977 P2 ;(L977)\r\nL978\r\n";
+    let older = "\tN5 r[23] = 1 ; R23 of a bore\r\n(* ? *)\r\nN6\tR42=R5*2  R22 =1\r\n/N7 L977 P2 ;(L977)\r\nL979\r\n";
     let today = "\tN5 _MVAR = 1 ; R23 of a bore\r\n(* ? *)\r\nN6\t_SETVAL=R5*2  _PRNUM =1\r\n\
-                 /N7 CYCLE977 P2 ;(L977)\r\nCYCLE978\r\n";
+                 /N7 CYCLE977 P2 ;(L977)\r\nCYCLE979\r\n";
     assert_eq!(converted(older, &[]), today);
 }
 
@@ -146,6 +148,47 @@ fn assignments_are_followed_to_the_calls() {
     ] {
         assert_eq!(converted(older, &[]), today);
     }
+}
+
+// oracle: manual A:16358, A:16398, A:16557 (CYCLE974 reads R26 in variant 1000 only, there as _STA1, which is R24 of
+// CYCLE979); hand
+#[test]
+fn no_call_gets_the_value_of_another() {
+    let bore = "R23=1 R24=15 R26=80 R31=500 R42=80\nL979\n";
+    let today = "_MVAR=1 _STA1=15 _INCA=80 _RF=500 _SETVAL=80\nCYCLE979\n";
+    assert_eq!(converted(&format!("{bore}R23=0\nL974\n"), &[]), format!("{today}_MVAR=0\nCYCLE974\n"));
+    let clashes = |text: &str| told(text).iter().filter(|(key, ..)| key == "older-clash").count();
+    for clashing in [
+        format!("{bore}R23=1000\nL974\n"),             // R26 would lie over R24
+        "R23=1000 R26=80\nL974\nR23=1\nL979\n".into(), // R24 comes from elsewhere
+        format!("{bore}_STA1=3\nL979\n"),              // written by name, over the R parameter
+        // of one setpoint R42 is meant, and R32 lies over it
+        "R42=44 R23=0\nL974\nR32=80 R23=100\nL978\nR23=0\nL974\n".into(),
+    ] {
+        assert_eq!(converted(&clashing, &[(42, names::SETVAL)]), "", "{clashing}");
+    }
+    assert_eq!(clashes(&format!("{bore}R23=1000\nL974\n")), 1);
+    // what the finding says to do
+    let again = format!("{bore}R23=1000 R26=80\nL974\nR23=1 R24=15\nL979\n");
+    assert_eq!(clashes(&again), 0);
+    let more = "_MVAR=1000 _INCA=80 _STA1=80\nCYCLE974\n_MVAR=1 _STA1=15\nCYCLE979\n";
+    assert_eq!(converted(&again, &[]), format!("{today}{more}"));
+}
+
+// oracle: manual A:16452, A:16479, A:16558 (R19 is _ID for the web of CYCLE979 and nothing for its hole)
+#[test]
+fn an_answer_and_its_cure_say_the_same() {
+    let text = |variant| format!("R23=1101 R19=-20 R42=132\nL977\nR23={variant} R42=80 R24=0\nL979\n");
+    let cure = |text: &str, key: &str| told(text).into_iter().find(|(known, ..)| known == key).unwrap().2;
+    let hole = converted(&text(1), &[(19, names::SZA)]);
+    assert!(hole.starts_with("_MVAR=1101 _SZA=-20 _SETVAL=132\nCYCLE977\n"), "{hole}");
+    assert_eq!(converted(&cure(&text(1), "older-open-sza"), &[]), hole);
+    // the web needs it as _ID, and then it would be that of CYCLE977 too
+    assert_eq!(converted(&text(4), &[(19, names::SZA)]), "");
+    assert_eq!(cure(&text(4), "older-open-sza"), "");
+    let web = converted(&text(4), &[(19, names::ID)]);
+    assert_eq!(converted(&cure(&text(4), "older-open-id"), &[]), web);
+    assert!(web.starts_with("_MVAR=1101 _ID=-20 "), "{web}");
 }
 
 // oracle: hand (a subprogram of the user has the number of a cycle; no variant comes; values that cannot be followed)

@@ -102,7 +102,9 @@ impl Walk<'_> {
         older.unclear = self.unclear;
         for met in self.met.into_values() {
             let given = met.given.iter().map(|(number, places)| (*number, places.iter().filter_map(at).collect()));
-            older.calls.push(Call { cycle: met.cycle, word: met.word, name: met.name, given: given.collect() });
+            let (names, reads) = (BTreeMap::new(), BTreeSet::new());
+            let given = given.collect();
+            older.calls.push(Call { cycle: met.cycle, word: met.word, name: met.name, given, names, reads });
         }
         older.assigned = assigned;
         for (index, call) in older.calls.iter().enumerate() {
