@@ -5,9 +5,6 @@ use crate::control::Units;
 use crate::entry::{Cycle, Inputs};
 use crate::machine::{Entry, Step};
 
-/// Most calls that a run keeps.
-pub const MOST: usize = 10_000;
-
 /// A call that was carried out, or that its check refused.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Called {

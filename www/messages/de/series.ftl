@@ -54,6 +54,7 @@ runs-ending =
         [one] 1 Teil
        *[other] { $runs } Teile
     }, { $finished } bis zum Programmende, Startwert { $seed }
+runs-first = Diagramme und Tabelle zeigen die ersten { $count } Teile; alle Kennwerte gelten für alle Teile.
 runs-no-call = Es wurde nichts gemessen.
 runs-call = { $cycle }, Zeile { $line }: { $feature }
 runs-weight = { $named }, { $name } = { $value }

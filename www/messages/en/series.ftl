@@ -54,6 +54,7 @@ runs-ending =
         [one] 1 part
        *[other] { $runs } parts
     }, { $finished } to the end of the program, seed { $seed }
+runs-first = Charts and table show the first { $count } parts; all figures are over all parts.
 runs-no-call = Nothing was measured.
 runs-call = { $cycle }, line { $line }: { $feature }
 runs-weight = { $named }, { $name } = { $value }

@@ -50,6 +50,7 @@ runs-no-program = 没有程序：请打开一个程序，或运行示例。
 runs-no-number = 不是数字：{ $text }
 runs-range = 工件数：1 到 { $most }
 runs-ending = { $runs } 个工件，{ $finished } 个到达程序结尾，种子 { $seed }
+runs-first = 图表和表格显示前 { $count } 个工件；所有数值均按全部工件计算。
 runs-no-call = 没有测量。
 runs-call = { $cycle }，第 { $line } 行：{ $feature }
 runs-weight = { $named }，{ $name } = { $value }

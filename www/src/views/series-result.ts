@@ -125,6 +125,7 @@ function callOf(call: SeriesCall, { runs, mode }: SeriesView, width: number): Te
   const title = weighted(named, call);
   return html`<section class="series-call">
     <h3>${title}</h3>
+    ${shown < runs ? html`<p>${t("runs-first", { count: shown })}</p>` : nothing}
     ${measured.map((figure, at) => figureOf(figure, call, at === 0, shown, width))}
     ${corrected.map(one => {
       const name = t(adds ? "runs-correction-sum" : "runs-correction", { name: nameOf(one) });
