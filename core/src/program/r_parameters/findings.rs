@@ -111,7 +111,7 @@ fn questions(program: &Program, older: &Older, answered: &Answered, one: &Assign
     let question = |name: &Name| {
         let finding = sentence(one, *name)?.finding().text("text", one.text(program));
         let label = Message::new("older-answer").text("name", *name).text("text", one.text(program));
-        let finding = finding.text("cycles", cycles(older, one)).text("other", other(*name)).on(one.word);
+        let finding = finding.text("cycles", open_for(older, one)).text("other", other(*name)).on(one.word);
         let edits = answered.get(&(one.number, *name)).map(|older| answer(program, older, one));
         Some(finding.cured(label, edits.unwrap_or_default()))
     };
@@ -157,6 +157,16 @@ fn answer(program: &Program, older: &Older, one: &Assigned) -> Vec<Edit> {
 /// The cycles that an assignment reaches.
 fn cycles(older: &Older, one: &Assigned) -> String {
     of_calls(one.calls.iter().filter_map(|at| older.calls.get(*at)))
+}
+
+/// Those of them for which it is open what an assignment is.
+fn open_for(older: &Older, one: &Assigned) -> String {
+    let names = |call: &Call, number| call.names.get(&number).map_or(0, BTreeSet::len);
+    let open = |call: &&Call| match one.rival() {
+        Some(rival) => names(call, one.number) > 0 && names(call, rival) > 0,
+        None => names(call, one.number) > 1,
+    };
+    of_calls(one.calls.iter().filter_map(|at| older.calls.get(*at)).filter(open))
 }
 
 /// Names of the cycles of calls, each once.

@@ -92,11 +92,11 @@ pub struct Assigned {
 /// comes in R23.
 pub fn find(program: &Program, programs: &Programs, answers: &Answers) -> Older {
     let mut older = walk::walk(program, programs);
-    let meant: Vec<BTreeMap<u16, Meant>> = (0..older.calls.len()).map(|at| meant(program, &older, at)).collect();
-    for (index, meant) in meant.iter().enumerate() {
-        let reads = variants(program, &older, index).iter().flat_map(|one| one.read()).collect();
-        let Some(call) = older.calls.get_mut(index) else { continue };
-        call.reads = reads;
+    let variants: Vec<Vec<Called>> = older.calls.iter().map(|call| variants(program, &older, call)).collect();
+    let meant: Vec<BTreeMap<u16, Meant>> =
+        older.calls.iter().zip(&variants).map(|(call, variants)| meant(program, &older, call, variants)).collect();
+    for ((call, meant), variants) in older.calls.iter_mut().zip(&meant).zip(&variants) {
+        call.reads = variants.iter().flat_map(Called::read).collect();
         for (number, places) in &call.given {
             let Some(meant) = meant.get(number) else { continue };
             let (names, open) = meant.with(*number, answers);
@@ -113,8 +113,7 @@ pub fn find(program: &Program, programs: &Programs, answers: &Answers) -> Older 
 }
 
 /// The cycle of a call with each variant that comes to it.
-fn variants(program: &Program, older: &Older, call: usize) -> Vec<Called> {
-    let Some(call) = older.calls.get(call) else { return Vec::new() };
+fn variants(program: &Program, older: &Older, call: &Call) -> Vec<Called> {
     let places = call.given.get(&VARIANT).into_iter().flatten();
     let values = places.filter_map(|at| older.assigned.get(*at)).map(|one| number(program, one.value, NOTHING));
     values.map(|value| Called::of(call.cycle, value)).collect()
@@ -142,14 +141,12 @@ impl Meant {
 }
 
 /// What the R parameters that come to a call are for it.
-fn meant(program: &Program, older: &Older, at: usize) -> BTreeMap<u16, Meant> {
-    let Some(call) = older.calls.get(at) else { return BTreeMap::new() };
+fn meant(program: &Program, older: &Older, call: &Call, variants: &[Called]) -> BTreeMap<u16, Meant> {
     let of = |number: &u16| call.given.get(number).into_iter().flatten().filter_map(|at| older.assigned.get(*at));
-    let variants = variants(program, older, at);
     let mut all: BTreeMap<u16, Meant> = BTreeMap::new();
     for number in call.given.keys() {
         let meant = all.entry(*number).or_default();
-        for variant in &variants {
+        for variant in variants {
             let names = variant.meant(*number);
             meant.open |= names.len() > 1;
             meant.names.extend(names);

@@ -30,6 +30,16 @@ fn told(text: &str) -> Vec<(String, String, String)> {
     found.iter().map(one).filter(|(key, ..)| key != "older-missing").collect()
 }
 
+/// The cycles for which a question is open, a question each.
+fn asked_of(text: &str) -> Vec<String> {
+    let program = read(Dialect::Sinumerik, text.as_bytes());
+    let programs = programs(&program);
+    let mut found = Vec::new();
+    findings(&program, &programs, &find(&program, &programs, &Answers::new()), &mut found);
+    let open = found.iter().filter(|one| one.message.key.starts_with("older-open"));
+    open.map(|one| one.message.word("cycles").unwrap().to_owned()).collect()
+}
+
 /// What is missing at the calls, and the program with it.
 fn completed(text: &str) -> Vec<(String, String)> {
     let program = read(Dialect::Sinumerik, text.as_bytes());
@@ -186,6 +196,7 @@ fn an_answer_and_its_cure_say_the_same() {
     // the web needs it as _ID, and then it would be that of CYCLE977 too
     assert_eq!(converted(&text(4), &[(19, names::SZA)]), "");
     assert_eq!(cure(&text(4), "older-open-sza"), "");
+    assert_eq!(asked_of(&text(4)), ["CYCLE977", "CYCLE977"]);
     let web = converted(&text(4), &[(19, names::ID)]);
     assert_eq!(converted(&cure(&text(4), "older-open-id"), &[]), web);
     assert!(web.starts_with("_MVAR=1101 _ID=-20 "), "{web}");
