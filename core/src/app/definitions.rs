@@ -3,7 +3,7 @@
 
 use super::Error;
 use super::machine::{MachineView, with_values};
-use super::machine_check::{Exported, ExportedFile};
+use super::machine_check::{Exported, ExportedFile, Given};
 use super::start::{Machine, start};
 use crate::control::arrays::stem;
 use crate::control::gud::{self, Block, Gud};
@@ -14,7 +14,7 @@ use crate::dialect::Dialect;
 use crate::entry::Typed;
 use crate::manual::Cited;
 use crate::message::Message;
-use crate::program::write::definition_files::{FILES, bytes, is_sized, lines, size, values};
+use crate::program::write::definition_files::{CALIBRATED, FILES, bytes, is_sized, lines, size, values};
 use crate::program::write::setting_data;
 use crate::refused::Path;
 use serde::{Deserialize, Serialize};
@@ -228,9 +228,12 @@ pub fn read_back(asked: ReadBackRequest) -> Result<ReadBack, Error> {
     for (file, one) in asked.files.iter().enumerate() {
         given.add(file, &one.text);
     }
+    // where the definition leaves it at 0, calibration is still to come, as on the machine without these files
+    let later = |name: &str, one: &Given| one.defined && stem(name) == CALIBRATED && one.value == Value::Number(0.0);
     let of_first = given.data.keys().filter(|(_, channel)| *channel < 2);
-    let mut typed: Typed =
-        of_first.filter_map(|(name, _)| Some((name.clone(), text(&given.get(name, 1)?.value)))).collect();
+    let of_first = of_first.filter_map(|(name, _)| Some((name, given.get(name, 1)?)));
+    let own = of_first.filter(|(name, one)| !later(name, one));
+    let mut typed: Typed = own.map(|(name, one)| (name.clone(), text(&one.value))).collect();
     let before = with_values(asked.setup.clone(), &[])?;
     let is_newer = typed.keys().any(|name| data::find(stem(name)).is_some());
     let was_newer = start(Dialect::Sinumerik, asked.setup.clone())?.setup.control.has_setting_data();

@@ -18,7 +18,7 @@ use crate::control::needs::{NEEDS, Use};
 use crate::diagnostic::Severity;
 use crate::message::Message;
 use fault::Files;
-pub(super) use read::Exported;
+pub(super) use read::{Exported, Given};
 use serde::{Deserialize, Serialize};
 
 /// What the control exported.

@@ -36,7 +36,7 @@ const WIPES: &str = "_CBIT[13]";
 const OF_TOOL_PROBES: [&str; 2] = ["_TP", "_TPW"];
 /// What calibration writes. Its values as delivered are 0, those of the core's own machine are for the simulation: in a
 /// definition they would make a probe look calibrated that is not (B:13442-13450, B:13281).
-const CALIBRATED: &str = "_WP";
+pub const CALIBRATED: &str = "_WP";
 /// Elements of a tool probe that a list shorter than its array leaves at 0, where no measuring is possible.
 const ALWAYS: [usize; 3] = [7, 8, 9];
 /// Most characters of a block of the program.
