@@ -8,6 +8,9 @@ use crate::scan::{FORM_POINTS, FORM_POINTS_WITH_BODY, Sent};
 use crate::workpiece::{Boundary, Contact, Noise, Probe, Tool, ToolProbe, Touching, Workpiece, chuck};
 use std::collections::{BTreeMap, BTreeSet};
 
+/// Messages of the program that are told where nothing else of it is recorded.
+const MESSAGES: usize = 10_000;
+
 /// A control, a probe and a part, and what has happened so far.
 #[derive(Clone, Debug)]
 pub struct Sim {
@@ -35,6 +38,8 @@ pub struct Sim {
     pub told_limit: usize,
     /// Entries of the program itself so far: motions, and others.
     own: [usize; 2],
+    /// Messages of the program so far, where nothing else of it is recorded.
+    messages: usize,
     /// Whether one of these limits is reached: from then on nothing of the program itself is recorded.
     over: bool,
     /// Whether something of the program itself was not recorded.
@@ -101,6 +106,7 @@ impl Sim {
             own_limit: usize::MAX,
             told_limit: usize::MAX,
             own: [0; 2],
+            messages: 0,
             over: false,
             unrecorded: false,
             refused: false,
@@ -217,7 +223,7 @@ impl Sim {
         if self.quiet {
             return;
         }
-        let own = !self.in_cycle && step.may_be_left_out();
+        let own = !self.in_cycle && step.may_be_left_out() && !self.is_told(&step);
         let motion = own && matches!(step, Step::Motion { .. });
         let full = self.full() && !motion;
         if own {
@@ -236,6 +242,14 @@ impl Sim {
         }
         let in_use = self.in_use();
         self.trace.record(Entry { line: self.line, step, in_use });
+    }
+
+    /// Whether a message is told where nothing else of the program itself is recorded: whether it stops, and why, is
+    /// what is looked for. A loop without an end says it over and over.
+    fn is_told(&mut self, step: &Step) -> bool {
+        let message = self.told_limit == 0 && matches!(step, Step::Message { .. });
+        self.messages += usize::from(message);
+        message && self.messages <= MESSAGES
     }
 
     /// Entries of the program itself so far.

@@ -126,6 +126,18 @@ fn a_program_goes_on_without_a_record() {
     assert_eq!((sim.trace.entries.len(), sim.trace.later.len()), (2, 0));
 }
 
+// oracle: hand: a stop of the program and its message are told where nothing else of it is
+#[test]
+fn messages_are_told_without_a_record() {
+    let mut sim = sim();
+    (sim.own_limit, sim.told_limit) = (0, 0);
+    sim.note(Step::Set { name: "R1".into(), before: 0.0, after: 1.0 });
+    for waits in [false, true] {
+        sim.note(Step::Message { text: "OUT OF LIMIT".into(), waits });
+    }
+    assert_eq!((sim.trace.entries.len(), sim.unrecorded), (2, true));
+}
+
 /// Turns the table C by 90 degree with the ball here: how it ended, and where the table stands then.
 fn turned(ball: [f64; 3]) -> (Sim, Result<(), Stop>) {
     let mut sim = sim();
