@@ -155,13 +155,14 @@ fn is_name(text: &str) -> bool {
 
 #[cfg(test)]
 mod tests {
+    #![allow(clippy::unwrap_used)]
     use super::super::block;
     use super::*;
 
     // oracle: manual B:11229 (a log of the same name would be deleted)
     #[test]
     fn a_new_file_has_a_name_of_its_own() {
-        let Some(log) = block(Dialect::Sinumerik, "log") else { panic!("no block") };
+        let log = block(Dialect::Sinumerik, "log").unwrap();
         let file = |typed: &Typed, text: &str| completed(log, typed, text).get("file").cloned();
         assert_eq!(file(&Typed::new(), "").as_deref(), Some("LOG_1"));
         assert_eq!(file(&Typed::new(), "_PROTNAME[1]=\"LOG_1\"\nR1=\"LOG_3\"").as_deref(), Some("LOG_2"));

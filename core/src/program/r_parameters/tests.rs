@@ -58,7 +58,9 @@ fn completed(text: &str) -> Vec<(String, String)> {
 #[test]
 fn what_a_call_leaves_out_is_told_and_completed() {
     let text = "R23=100 R10=1 R22=1 R28=2 R30=1 R32=80 R25=0 R36=1\nL978\n";
-    let [(names, cured)] = &completed(text)[..] else { panic!("one call lacks something") };
+    let all = completed(text);
+    assert_eq!(all.len(), 1, "one call lacks something");
+    let (names, cured) = &all[0];
     assert!(names.contains("R27 (_NMSP=1)"), "{names}");
     assert!(!names.contains("_VMS") && !names.contains("_TSA"), "{names}");
     assert!(cured.contains("R27=1") && cured.starts_with(text.lines().next().unwrap()), "{cured}");
