@@ -13,8 +13,8 @@ const here = (path: string): string => fileURLToPath(new URL(path, import.meta.u
 // `@pkg` is what `cargo xtask` built from Rust: core, preview-webgpu, preview-webgl.
 const first = ask(here("../pkg/core"));
 
-/** Its files, but for the lists of them. */
-const HANDBOOK = /\/book\/([\w/-]+\.html|[\w-]+\.(js|css|svg|woff2|png))$/;
+/** Its files, but for the lists of them. Where a page opens at a title, the address has the title's name. */
+const HANDBOOK = /\/book\/([\w/-]+\.html|[\w-]+\.(js|css|svg|woff2|png))(#.*)?$/;
 
 export default defineConfig({
   base: "./",
@@ -41,7 +41,14 @@ export default defineConfig({
         // The handbook is no part of the page and of what a first visit waits for: what is asked of it is kept
         // (`src/handbook.ts` asks for all of it), shown from there, and brought up to date behind that.
         navigateFallbackDenylist: [HANDBOOK],
-        runtimeCaching: [{ urlPattern: HANDBOOK, handler: "StaleWhileRevalidate", options: { cacheName: "handbook" } }],
+        runtimeCaching: [
+          {
+            urlPattern: HANDBOOK,
+            handler: "StaleWhileRevalidate",
+            // a file is the same for whoever asks, whatever a server says: its fonts are asked for in another way
+            options: { cacheName: "handbook", matchOptions: { ignoreVary: true } },
+          },
+        ],
         clientsClaim: true,
       },
       manifest,

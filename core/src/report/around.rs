@@ -25,16 +25,15 @@ pub fn page(words: &Words) -> String {
     text.trim_end().to_owned() + "\n"
 }
 
-fn section(text: &mut String, one: &'static Block, words: &Words) {
+fn section(text: &mut String, one: &Block, words: &Words) {
     line(text, &format!("## {}: `{}`", words.key(one.key()), one.name));
     line(text, &words.key(format!("{}-help", one.key())));
-    let there: Vec<_> =
-        CONTROLS.into_iter().filter_map(|dialect| Some((dialect.name(), block(dialect, one.name)?))).collect();
+    let there: Vec<_> = CONTROLS.into_iter().filter_map(|dialect| Some((dialect, block(dialect, one.name)?))).collect();
     let mut fields: BTreeMap<&str, (usize, String, Vec<String>)> = BTreeMap::new();
-    for (name, block) in &there {
+    for &(dialect, block) in &there {
         for (at, field) in block.fields.iter().enumerate() {
             let (_, _, presets) = fields.entry(field.name).or_insert((at, words.key(field.key()), Vec::new()));
-            presets.extend(shown(block, field, words).map(|value| format!("{value} ({name})")));
+            presets.extend(shown(dialect, block, field, words).map(|value| format!("{value} ({})", dialect.name())));
         }
     }
     let mut cells: Vec<_> = fields.into_iter().collect();
@@ -46,25 +45,25 @@ fn section(text: &mut String, one: &'static Block, words: &Words) {
             line(text, &format!("{}: {}", dialect.name(), words.key(absent.why)));
         }
     }
-    for (name, block) in there {
-        if let Some(lines) = sample(block, words) {
-            line(text, &format!("{name}:"));
+    for (dialect, block) in there {
+        if let Some(lines) = sample(dialect, block, words) {
+            line(text, &format!("{}:", dialect.name()));
             line(text, &format!("```\n{}\n```", lines.trim_end()));
         }
     }
 }
 
 /// What a field has where nothing is entered; none: it has to be entered.
-fn shown(block: &'static Block, field: &Field, words: &Words) -> Option<String> {
-    let (inputs, _) = suited(block)?;
+fn shown(dialect: Dialect, block: &Block, field: &Field, words: &Words) -> Option<String> {
+    let (inputs, _) = suited(dialect, block)?;
     let value = preset(field, &inputs);
     let value = if value.starts_with("around-") { words.key(value) } else { value };
     (!value.is_empty()).then(|| format!("`{value}`"))
 }
 
 /// The lines around the first call that it suits.
-fn sample(block: &'static Block, words: &Words) -> Option<String> {
-    let (inputs, cycle) = suited(block)?;
+fn sample(dialect: Dialect, block: &Block, words: &Words) -> Option<String> {
+    let (inputs, cycle) = suited(dialect, block)?;
     let given = |field: &&Field| preset(field, &inputs).is_empty();
     let programs = block.fields.iter().filter(given).enumerate();
     let name = |at: usize| {
@@ -75,9 +74,9 @@ fn sample(block: &'static Block, words: &Words) -> Option<String> {
     Some(format!("{}{cycle} …\n{}", lines.before, lines.after))
 }
 
-/// The first call of the catalogue that a block suits, measured without a correction where it has to be.
-fn suited(block: &'static Block) -> Option<(Inputs, &'static str)> {
-    let of_control = CYCLES.iter().filter(|cycle| blocks(cycle.dialect).iter().any(|one| std::ptr::eq(one, block)));
+/// The first call of a control that its block suits, measured without a correction where it has to be.
+fn suited(dialect: Dialect, block: &Block) -> Option<(Inputs, &'static str)> {
+    let of_control = CYCLES.iter().filter(|cycle| cycle.dialect == dialect);
     let mut calls = of_control.flat_map(|cycle| cycle.variants.iter().map(move |variant| (*cycle, variant)));
     calls.find_map(|(cycle, variant)| {
         let control = Setup::for_cycle(cycle, cycle.purpose.machine.plane().unwrap_or(Plane::G17)).control;

@@ -79,7 +79,6 @@ export function createGiven(
     return html`<div class="given-field">
         <label for="run-mode">${t("given-mode")}</label
         ><select id="run-mode" class="choice" .value=${live(mode)} @change=${chosen}>${MODES.map(option)}</select>
-        ${guidePart("run-modes")}
       </div>
       ${
         mode === "block-search"
@@ -89,7 +88,11 @@ export function createGiven(
             </div>`
           : nothing
       }
-      ${mode === "automatic" ? nothing : html`<p class="given-mode">${t(`given-mode-${mode}-told`)}</p>`}`;
+      ${
+        mode === "automatic"
+          ? nothing
+          : html`<p class="given-mode">${t(`given-mode-${mode}-told`)} ${guidePart("run-modes")}</p>`
+      }`;
   };
   const assumed = (all: readonly MachineValue[], files: readonly FileStart[] | undefined): TemplateResult => {
     const named = all

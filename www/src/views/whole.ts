@@ -168,8 +168,8 @@ function indexAt(rows: Row[], step: number): number {
   return rows.findLastIndex(one => one.from <= step);
 }
 
-/** The word on a button, which a narrow panel leaves to the icon. */
-const label = (text: string): HTMLElement => el("span", { class: "whole-label" }, text);
+/** The word on a button, which a narrow panel leaves to the icon; a long one sooner. */
+const label = (text: string, long = ""): HTMLElement => el("span", { class: `whole-label ${long}` }, text);
 
 /** What the table needs of the page. */
 export interface WholeWays extends ProtocolWays, CertainWays {
@@ -192,7 +192,7 @@ export function createWhole(
     "button",
     { type: "button", title: t("whole-print-hint") },
     icon("print"),
-    label(t("whole-print")),
+    label(t("whole-print"), "long"),
   );
   const head = el("div", { class: "whole-head", role: "row" });
   const space = el("div", { class: "whole-space", role: "rowgroup" });
@@ -207,7 +207,7 @@ export function createWhole(
     "button",
     { type: "button", title: t("protocol-open-hint") },
     icon("open"),
-    label(t("protocol-open")),
+    label(t("protocol-open"), "long"),
   );
   const series = el("button", { type: "button", title: t("runs-open-hint") }, icon("dice"), label(t("runs-open")));
   const certain = createWholeCertain(ways, () => rows(), drawRows);
@@ -232,7 +232,7 @@ export function createWhole(
     store.update({});
   });
   const titles = createTitles(store);
-  root.append(protocol.root, error, titles.root, certain.status, table);
+  root.append(protocol.root, error, certain.status, table, titles.root);
   /** What was measured on the real machine, else what was simulated. */
   const shown = (): RecordShown | null => run && (protocol.view ? { ...protocol.view, files: run.files } : run);
   const rows = (): Row[] => shown()?.answers ?? [];
