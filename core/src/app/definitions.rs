@@ -100,26 +100,22 @@ pub fn definitions(asked: DefinitionsRequest) -> Result<DefinitionsView, Error> 
     let control = start(Dialect::Sinumerik, asked.setup)?.setup.control;
     let delivered = delivery_in(Dialect::Sinumerik, control.basic_units);
     let jog = asked.jog.unwrap_or(true);
-    let wanted = FILES.iter().filter(|file| jog || file.block != Block::Gud7);
     let saved = |name: &str| SAVED.iter().find(|(of, _)| *of == name).map_or("", |(_, saved)| saved);
     let text = |name, text| DefinitionsText { name, saved: saved(name), text };
-    let mut files: Vec<DefinitionsText> =
-        wanted.map(|file| text(file.name, lines(file, &control, &delivered))).collect();
-    files.push(text(PROGRAM, values(&control, &delivered)));
+    let mut files = Vec::new();
+    let (mut sizes, mut least) = (Vec::new(), Vec::new());
     if control.has_setting_data() {
+        files.push(text(SETTINGS, setting_data::lines(&control, &delivered)));
+    } else {
         // definition files of user data are of the first generation
-        files = vec![text(SETTINGS, setting_data::lines(&control, &delivered))];
+        let wanted = FILES.iter().filter(|file| jog || file.block != Block::Gud7);
+        files.extend(wanted.map(|file| text(file.name, lines(file, &control, &delivered))));
+        files.push(text(PROGRAM, values(&control, &delivered)));
+        sizes = memory(&control, &delivered, jog);
+        least = needs(&sizes, channels, jog);
     }
     files.retain(|file| !file.text.is_empty());
-    let (memory, needs) = match control.has_setting_data() {
-        true => Default::default(),
-        false => {
-            let memory = memory(&control, &delivered, jog);
-            let needs = needs(&memory, channels, jog);
-            (memory, needs)
-        }
-    };
-    Ok(DefinitionsView { notes: notes(&files, channels), files, memory, needs })
+    Ok(DefinitionsView { notes: notes(&files, channels), files, memory: sizes, needs: least })
 }
 
 /// The program of value assignments.

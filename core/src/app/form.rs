@@ -81,6 +81,31 @@ pub struct FormRequest {
     pub twin: bool,
 }
 
+impl FormRequest {
+    /// Of a cycle with these values, on the core's own machine and nothing else.
+    pub fn new(control: Dialect, cycle: impl Into<String>, values: Typed) -> FormRequest {
+        FormRequest {
+            control,
+            cycle: cycle.into(),
+            values,
+            expressions: Typed::new(),
+            assumed: Typed::new(),
+            setup: None,
+            units: None,
+            plane: None,
+            transverse: None,
+            errors: None,
+            comments: None,
+            written: None,
+            style: None,
+            measured: Vec::new(),
+            predict: false,
+            limits: false,
+            twin: false,
+        }
+    }
+}
+
 /// A measuring call.
 #[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]

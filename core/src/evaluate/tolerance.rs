@@ -52,6 +52,19 @@ impl Branch {
         }
     }
 
+    /// Key of the sentence that says what follows.
+    pub const fn key(self) -> &'static str {
+        match self {
+            Branch::SafeArea => "evaluate-safe-area",
+            Branch::Difference => "evaluate-difference",
+            Branch::Oversize => "evaluate-oversize",
+            Branch::Undersize => "evaluate-undersize",
+            Branch::Whole => "evaluate-whole",
+            Branch::Mean => "evaluate-mean",
+            Branch::Small => "evaluate-small",
+        }
+    }
+
     /// Whether a target is corrected and the mean value begins again.
     pub const fn corrects(self) -> bool {
         !matches!(self, Branch::SafeArea | Branch::Difference | Branch::Small)

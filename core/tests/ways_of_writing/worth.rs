@@ -17,25 +17,7 @@ use probewright_core::syntax::read;
 use std::collections::BTreeMap;
 
 fn asked(control: Dialect, cycle: &str, values: Typed, predict: bool) -> FormRequest {
-    FormRequest {
-        control,
-        cycle: cycle.to_owned(),
-        values,
-        expressions: Typed::new(),
-        assumed: Typed::new(),
-        setup: None,
-        units: None,
-        plane: None,
-        transverse: None,
-        errors: None,
-        comments: None,
-        written: None,
-        style: None,
-        measured: Vec::new(),
-        predict,
-        limits: false,
-        twin: false,
-    }
+    FormRequest { predict, ..FormRequest::new(control, cycle, values) }
 }
 
 /// What does not say how a value is written.

@@ -46,23 +46,10 @@ fn outcome(
     };
     let own = Beginning { plane: Some(plane), units: Some(function), ..Beginning::default() };
     let asked = FormRequest {
-        control: cycle.dialect,
-        cycle: cycle.name.to_owned(),
-        values: example(cycle, variant),
-        expressions: Default::default(),
-        assumed: Default::default(),
         setup: Some(Machine::Own(OwnMachine { own })),
-        units: None,
-        plane: None,
-        transverse: None,
         errors: Some(errors),
-        comments: None,
-        written: None,
-        style: None,
-        measured: Vec::new(),
         predict: true,
-        limits: false,
-        twin: false,
+        ..FormRequest::new(cycle.dialect, cycle.name, example(cycle, variant))
     };
     form(asked).unwrap().outcome
 }

@@ -16,6 +16,8 @@ use crate::refused::Path;
 use crate::scene::plan::{extent, to_scale};
 use serde::{Deserialize, Serialize};
 use sketch::Sketch;
+use std::cell::RefCell;
+use std::collections::BTreeMap;
 
 /// Steps over the range of a value that is dragged.
 const STEPS: f64 = 100.0;
@@ -82,34 +84,17 @@ impl Call {
     fn form(&self, value: Option<f64>, predict: bool) -> Result<FormView, Error> {
         let mut values = worked(self.cycle, self.variant);
         values.extend(value.map(|value| (self.drag.to_owned(), value.to_string())));
-        form(FormRequest {
-            control: self.cycle.dialect,
-            cycle: self.cycle.name.to_owned(),
-            values,
-            expressions: Typed::new(),
-            assumed: Typed::new(),
-            setup: None,
-            units: None,
-            plane: None,
-            transverse: None,
-            errors: None,
-            comments: None,
-            written: None,
-            style: None,
-            measured: Vec::new(),
-            predict,
-            limits: false,
-            twin: false,
-        })
+        form(FormRequest { predict, ..FormRequest::new(self.cycle.dialect, self.cycle.name, values) })
     }
 
     /// The picture of a value: a part as it was measured. Of a tool, whose length is many times its probe, the help
     /// picture.
-    fn drawn(&self, value: f64) -> Option<(Picture, Typed)> {
+    fn drawn(&self, value: f64) -> Option<ConceptPicture> {
         let of_tool = self.cycle.purpose.probe == ProbeUse::Tool;
         let view = self.form(Some(value), !of_tool).ok()?;
         let picture = if of_tool { view.picture? } else { to_scale(&view.outcome?.trace)? };
-        Some((picture, view.fields.into_iter().map(|field| (field.name.to_string(), field.value)).collect()))
+        let values = view.fields.into_iter().map(|field| (field.name.to_string(), field.value)).collect();
+        Some(ConceptPicture { picture, values, told: None })
     }
 
     fn example(&self, example: &Example) -> Option<ConceptExample> {
@@ -148,31 +133,40 @@ pub(super) fn example(example: &Example) -> Option<ConceptExample> {
 /// # Errors
 /// No such concept, or no picture carries it.
 pub fn concept_picture(asked: ConceptRequest) -> Result<ConceptPicture, Error> {
-    let found = CONCEPTS.iter().find(|one| one.id == asked.concept).and_then(|one| one.example.as_ref());
     let none = || unknown("document-concept", &asked.concept);
-    let example = found.ok_or_else(none)?;
+    let concept = CONCEPTS.iter().find(|one| one.id == asked.concept).ok_or_else(none)?;
+    let example = concept.example.as_ref().ok_or_else(none)?;
     if !asked.value.is_finite() {
         return Err(Error::new("document-concept", Path::of(&["value"])).text("name", asked.concept));
     }
-    let (from, to) = (example.from, example.to);
-    let value = asked.value.clamp(from, to);
-    if let Some(sketch) = Sketch::of(example.of) {
-        let ends = [from, to].map(|end| sketch.draw(end).picture);
-        let drawn = sketch.draw(value);
-        return Ok(ConceptPicture { picture: on_paper(drawn.picture, &ends), ..drawn });
-    }
-    let call = Call::of(example).ok_or_else(none)?;
-    let drawn = |value| call.drawn(value).ok_or_else(none);
-    let ends = [drawn(from)?.0, drawn(to)?.0];
-    let (picture, values) = drawn(value)?;
-    Ok(ConceptPicture { picture: on_paper(picture, &ends), values, told: None })
+    let mut drawn = drawn(example, asked.value.clamp(example.from, example.to)).ok_or_else(none)?;
+    // its corners are figures that nobody sees
+    let corners = paper(concept.id, example).ok_or_else(none)?;
+    drawn.picture.shapes.extend(corners.into_iter().map(|corner| line(ShapeKind::Path, vec![corner])));
+    Ok(ConceptPicture { picture: drawn.picture.rounded(), ..drawn })
 }
 
-/// The picture on paper that is as large as each of these needs: its corners are figures that nobody sees.
-fn on_paper(mut picture: Picture, ends: &[Picture]) -> Picture {
-    let corners = ends.iter().flat_map(|end| extent(&end.shapes));
-    picture.shapes.extend(corners.map(|corner| line(ShapeKind::Path, vec![corner])));
-    picture.rounded()
+fn drawn(example: &Example, value: f64) -> Option<ConceptPicture> {
+    match Sketch::of(example.of) {
+        Some(sketch) => Some(sketch.draw(value)),
+        None => Call::of(example)?.drawn(value),
+    }
+}
+
+thread_local! {
+    /// The paper of each concept: while a value is dragged, only its own measurement is carried out.
+    static PAPERS: RefCell<BTreeMap<&'static str, Vec<[f64; 2]>>> = const { RefCell::new(BTreeMap::new()) };
+}
+
+/// Corners of a paper that is as large as the pictures of both ends need.
+fn paper(concept: &'static str, example: &Example) -> Option<Vec<[f64; 2]>> {
+    if let Some(known) = PAPERS.with_borrow(|papers| papers.get(concept).cloned()) {
+        return Some(known);
+    }
+    let ends = [drawn(example, example.from)?, drawn(example, example.to)?];
+    let corners: Vec<[f64; 2]> = ends.iter().flat_map(|end| extent(&end.picture.shapes)).collect();
+    PAPERS.with_borrow_mut(|papers| papers.insert(concept, corners.clone()));
+    Some(corners)
 }
 
 #[cfg(test)]

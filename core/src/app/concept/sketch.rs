@@ -156,22 +156,14 @@ fn of_chain(difference: f64) -> ConceptPicture {
     shapes.push(circle(ShapeKind::Touch, [at, NEXT], 2.0 * POINT));
     let values = bars.into_iter().map(|(name, limit)| value_of(name, limit)).collect();
     let decision = chain(&[difference], &BANDS, 0.0);
-    let key = match decision.branch {
-        Branch::SafeArea => "evaluate-safe-area",
-        Branch::Difference => "evaluate-difference",
-        Branch::Oversize => "evaluate-oversize",
-        Branch::Undersize => "evaluate-undersize",
-        Branch::Whole => "evaluate-whole",
-        Branch::Mean => "evaluate-mean",
-        Branch::Small => "evaluate-small",
+    let told =
+        Message::new(decision.branch.key()).number("difference", difference).number("mean", rounded(decision.mean));
+    let told = match decision.branch {
+        branch if !branch.corrects() => told,
+        Branch::Mean => told.text("follows", "evaluate-corrects-mean"),
+        _ => told.text("follows", "evaluate-corrects-whole"),
     };
-    let told = Message::new(key).number("difference", difference).number("mean", rounded(decision.mean));
-    let follows = match decision.branch {
-        Branch::SafeArea | Branch::Difference | Branch::Small => None,
-        Branch::Mean => Some("evaluate-corrects-mean"),
-        _ => Some("evaluate-corrects-whole"),
-    };
-    plane(shapes, values, follows.into_iter().fold(told, |told, key| told.text("follows", key)))
+    plane(shapes, values, told)
 }
 
 /// What the probe is pushed on after its signal: the three parts of the path, and the ball where the axis stands.

@@ -170,20 +170,11 @@ pub fn inform(machine: &mut dyn Machine, alarm: Option<u32>) {
 
 /// The decision in words. Its difference is the one that decided: the worst, for the mean value the mean of all.
 fn explain(decision: &Decision, differences: &[f64], target: Option<&Tool>) -> Message {
-    let key = match decision.branch {
-        Branch::SafeArea => "evaluate-safe-area",
-        Branch::Difference => "evaluate-difference",
-        Branch::Oversize => "evaluate-oversize",
-        Branch::Undersize => "evaluate-undersize",
-        Branch::Whole => "evaluate-whole",
-        Branch::Mean => "evaluate-mean",
-        Branch::Small => "evaluate-small",
-    };
     let difference = match decision.branch {
         Branch::Mean | Branch::Small => differences.iter().sum::<f64>() / differences.len().max(1) as f64,
         _ => differences.iter().copied().fold(0.0_f64, |a, b| if b.abs() > a.abs() { b } else { a }),
     };
-    let message = Message::new(key).number("difference", difference).number("mean", decision.mean);
+    let message = Message::new(decision.branch.key()).number("difference", difference).number("mean", decision.mean);
     match decision.branch.corrects() {
         true => message.text("follows", corrected(decision, differences.len(), target)),
         false => message,
