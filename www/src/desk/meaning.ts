@@ -5,9 +5,9 @@
 import { parseNumber } from "../numbers";
 import { patched, planeOf, type Reset, type State } from "../state/state";
 import type { Field } from "../wire";
-import { isExample } from "./actions";
 import type { Derived } from "./derive";
 import { typedIn, unseen } from "./typing";
+import { isExample } from "./variants";
 
 export interface Seen {
   state: State;

@@ -1,8 +1,9 @@
 // What the page can do, as a list: each with its name, and the key that does the same.
 
-import { type Actions, variantOf } from "../desk/actions";
+import type { Actions } from "../desk/actions";
 import { type Derived, findCycle } from "../desk/derive";
 import { practises } from "../desk/practice";
+import { variantOf } from "../desk/variants";
 import { handbook } from "../handbook";
 import { KEYS } from "../keys";
 import { nameOf } from "../language";

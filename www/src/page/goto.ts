@@ -1,7 +1,8 @@
 // The way to a field from anywhere: the present form where it has the field, else the first cycle and variant that do.
 
-import { type Actions, inPlane, type Variant } from "../desk/actions";
+import type { Actions } from "../desk/actions";
 import { findCycle } from "../desk/derive";
+import { inPlane, type Variant } from "../desk/variants";
 import { planeOf, type State } from "../state/state";
 import type { Store } from "../state/store";
 import { focusField } from "../views/field";

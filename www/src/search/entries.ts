@@ -1,7 +1,7 @@
 // Everything that can be looked up, out of the catalogue and the messages: cycles, variants, parameters, results,
 // alarms, guides.
 
-import type { Variant } from "../desk/actions";
+import type { Variant } from "../desk/variants";
 import { inEach, inEnglish, optional, t } from "../texts";
 import type { AlarmInfo, Catalogue, CycleInfo, Dialect } from "../wire";
 

@@ -1,7 +1,8 @@
 // What can be measured, as one chooses it: element, what is corrected, and what is left to choose. All of it is data of
 // the catalogue; a choice leads to the way that keeps most of the choices before it.
 
-import type { Actions, Variant } from "../desk/actions";
+import type { Actions } from "../desk/actions";
+import type { Variant } from "../desk/variants";
 import type { Catalogue, Corrects, CycleInfo, Dialect, Element } from "../wire";
 
 /** A way to a form: a variant with the values that make it correct this. */

@@ -2,8 +2,9 @@
 
 import { html, nothing, render, type TemplateResult } from "lit-html";
 import { guard } from "lit-html/directives/guard.js";
-import { type Actions, variantOf } from "../desk/actions";
+import type { Actions } from "../desk/actions";
 import type { Derived } from "../desk/derive";
+import { variantOf } from "../desk/variants";
 import { iconPart } from "../icons";
 import { type Command, meantBy } from "../keys";
 import { type Recent, recentItems, removeRecent } from "../state/recent";

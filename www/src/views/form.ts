@@ -1,8 +1,9 @@
 // The form of the chosen cycle: status line, picture, fields, what to do with the snippet.
 
-import { type Actions, type Variant, variantOf } from "../desk/actions";
+import type { Actions } from "../desk/actions";
 import type { Derived } from "../desk/derive";
 import { replacing } from "../desk/typing";
+import { type Variant, variantOf } from "../desk/variants";
 import { el, on, setAttribute, setText, show } from "../dom";
 import { meantBy } from "../keys";
 import { inFocus, type Reset, type State } from "../state/state";

@@ -2,8 +2,9 @@
 // what it corrects, what goes wrong. It stands beside the form, in the place of program, view and results.
 
 import type { ProgramCore } from "../core/program";
-import { type Actions, variantOf } from "../desk/actions";
+import type { Actions } from "../desk/actions";
 import type { Derived } from "../desk/derive";
+import { variantOf } from "../desk/variants";
 import { el, on, setText, show } from "../dom";
 import { meantBy } from "../keys";
 import type { State } from "../state/state";

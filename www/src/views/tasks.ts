@@ -1,8 +1,9 @@
 // Measuring task: a tree of what is measured on which machine, cycles and variants; a search over everything.
 
-import type { Actions, Variant } from "../desk/actions";
-import { variantOf } from "../desk/actions";
+import type { Actions } from "../desk/actions";
 import type { Derived } from "../desk/derive";
+import type { Variant } from "../desk/variants";
+import { variantOf } from "../desk/variants";
 import { el, keyed, on, setAttribute, setText, show } from "../dom";
 import { type Command, meantBy } from "../keys";
 import type { State } from "../state/state";
