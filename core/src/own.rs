@@ -274,6 +274,8 @@ sentences! {
     OLDER_FACTOR 216 Note "older-factor" "";
     OLDER_MISSING 217 Note "older-missing" "older-missing-hint";
     OLDER_CLASH 218 Warning "older-clash" "older-clash-hint";
+    NEWER_AWAY 230 Error "newer-away" "newer-away-hint";
+    WRITE_ASSIGNED 231 Note "write-assigned" "write-assigned-hint";
 }
 
 #[cfg(all(test, feature = "cli"))]

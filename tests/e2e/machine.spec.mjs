@@ -126,6 +126,24 @@ describe("machine data", () => {
     await context.close();
   });
 
+  // oracle: hand (what is chosen can be read)
+  test("each choice is as wide as what is chosen", async () => {
+    for (const viewport of [
+      { width: 1280, height: 800 },
+      { width: 390, height: 844 },
+    ]) {
+      const { context, page } = await open(chrome.browser, { viewport });
+      const shown = await dialog(page);
+      await shown.locator('input[type="search"]').fill("_");
+      await shown.locator(".datum .choice").first().waitFor();
+      const widths = await shown
+        .locator(".datum .choice")
+        .evaluateAll(all => all.filter(one => one.checkVisibility()).map(one => one.offsetWidth));
+      assert.ok(widths.length > 20 && Math.min(...widths) > 100, String(widths));
+      await context.close();
+    }
+  });
+
   // oracle: axe-core, in both schemes and on a small screen
   test("nothing keeps anyone out", async () => {
     for (const options of [

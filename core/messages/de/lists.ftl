@@ -19,7 +19,7 @@ write-newer-tool = Neuere Steuerungen erwarten die Werkzeugkorrektur in Argument
 write-newer-zero = NV { $value } ist in der Argumentliste neuerer Steuerungen unbekannt; bekannt: 1–99, 10001–10099, 9000, 9999, 19999.
 write-newer = { $param } = { $value } bedeutet in der Argumentliste neuerer Steuerungen etwas anderes, oder die Bedeutung ist unbekannt.
 convert-newer = { $param } = { $value }: Die ältere Argumentliste hat keine Entsprechung für diesen Wert der neueren, oder die Bedeutung ist unbekannt.
-convert-newer-hint = Aufruf neu als Zuweisungen schreiben.
+convert-newer-hint = Aufruf so lassen oder die Messung in der Maske neu eingeben.
 
 newer-lost = Vor Platz { $place } fehlt ein Argument: Alles dahinter steht einen Platz zu früh.
 newer-lost-hint = Für das fehlende Argument ein Komma einfügen.
@@ -46,6 +46,9 @@ argument-open = Die Ziffern sind nicht veröffentlicht: Es bleibt, wie es geschr
 argument-nothing = In diesem Aufruf weggelassen.
 argument-zero = Nullpunktverschiebung, die korrigiert wird
 argument-zero-help = Leer: nur messen. 1 bis 4: G54 bis G57; 5 bis 99: G505 bis G599; plus 10000: grob. 9999 und 19999: aktives Frame. 9000 ist in Gebrauch, die Bedeutung nicht veröffentlicht.
+argument-zero-fine = { $name }, fein
+argument-zero-coarse = { $name }, grob
+argument-zero-used = In Gebrauch, Bedeutung nicht veröffentlicht
 argument-tool = Werkzeug, das korrigiert wird
 argument-ball = Durchmesser der Kalibrierkugel
 argument-probing-angle = Antastwinkel
@@ -88,5 +91,9 @@ newer-cycle150 = Zeigt die Ergebnisse am Bildschirm und schreibt das Protokoll
 newer-unsimulated = { $param } wird geschrieben und nicht simuliert.
 newer-infeed = Ein positives { "_ID" } wird geschrieben und nicht simuliert.
 newer-infeed-hint = Programme neuerer Steuerungen sind sich über das Vorzeichen nach unten uneins: Negativ simuliert es die Maske.
+newer-away = { "S_MD" } = { $value } führt vom Sollwert weg: Der Messtaster steht auf der anderen Seite. Was die Steuerung dann tut, ist nicht veröffentlicht; der Lauf hält hier an.
+newer-away-hint = Messtaster auf der anderen Seite der Fläche positionieren oder die Messrichtung ändern.
+write-assigned = { $cycle } wird mit Zuweisungen geschrieben: Die Stellen von Argument 1 seiner Liste sind nicht veröffentlicht.
+write-assigned-hint = Ob diese Maschine auch Zuweisungen nimmt, zeigt ein Versuch an ihr.
 write-coarse = Argument 2 = { $value } heißt Feinverschiebung; hier korrigiert { "_CHBIT[21]" } = 1 die Grobverschiebung.
 write-coarse-hint = { $coarse } schreiben, um die Grobverschiebung zu korrigieren.

@@ -19,7 +19,7 @@ write-newer-tool = Newer controls have the tool target in argument 3 (S_KNUM1, s
 write-newer-zero = Zero offset { $value } is not known in the list of newer controls: 1–99, 10001–10099, 9000, 9999, 19999 are.
 write-newer = { $param } = { $value } has another meaning in the argument list of newer controls, or its meaning is not known.
 convert-newer = { $param } = { $value }: the older argument list has no equivalent for this value of the newer one, or its meaning is not known.
-convert-newer-hint = Write the call again as assignments.
+convert-newer-hint = Keep the call as it is, or enter the measurement again in its form.
 
 newer-lost = An argument before place { $place } is missing: everything behind it is one place too early.
 newer-lost-hint = Add a comma for the missing argument.
@@ -46,6 +46,9 @@ argument-open = Its digits are not published: it is kept as written, and never w
 argument-nothing = Omitted in this call.
 argument-zero = Zero offset that is corrected
 argument-zero-help = Empty: measure only. 1 to 4: G54 to G57; 5 to 99: G505 to G599; plus 10000: coarse offset. 9999 and 19999: active frame. 9000 is in use, its meaning is not published.
+argument-zero-fine = { $name }, fine
+argument-zero-coarse = { $name }, coarse
+argument-zero-used = In use, meaning not published
 argument-tool = Tool that is corrected
 argument-ball = Diameter of the calibration ball
 argument-probing-angle = Probing angle
@@ -88,5 +91,9 @@ newer-cycle150 = Shows the results on the screen and writes the log
 newer-unsimulated = { $param } is written and not simulated.
 newer-infeed = A positive { "_ID" } is written and not simulated.
 newer-infeed-hint = Programs of newer controls disagree about the sign that leads down: with a negative one the form simulates it.
+newer-away = { "S_MD" } = { $value } leads away from the setpoint: the probe is on its other side. What the control does then is not published; the run stops here.
+newer-away-hint = Position the probe on the other side of the surface, or change the measuring direction.
+write-assigned = { $cycle } is written as assignments: the digits of argument 1 of its list are not published.
+write-assigned-hint = Whether this machine takes assignments too, a test on it tells.
 write-coarse = Argument 2 = { $value } means the fine part of the zero offset; here { "_CHBIT[21]" } = 1 corrects the coarse part.
 write-coarse-hint = Write { $coarse } to correct the coarse part.

@@ -19,7 +19,7 @@ write-newer-tool = 新型控制系统的刀具补偿对象在第 3 个参数（S
 write-newer-zero = 新型控制系统参数表中零点偏移 { $value } 的含义未知；已知：1–99、10001–10099、9000、9999、19999。
 write-newer = { $param } = { $value } 在新型控制系统参数表中含义不同或未知。
 convert-newer = { $param } = { $value }：旧型参数表没有与新型参数表中此值对应的值，或其含义未知。
-convert-newer-hint = 请把调用重新写成赋值形式。
+convert-newer-hint = 保持该调用不变，或在输入画面中重新输入这次测量。
 
 newer-lost = 第 { $place } 位之前缺少一个参数：其后的所有参数都提前了一位。
 newer-lost-hint = 为缺少的参数补一个逗号。
@@ -46,6 +46,9 @@ argument-open = 各位数字的含义未公布：保持原样，不会重新写�
 argument-nothing = 此调用中省略。
 argument-zero = 要补偿的零点偏移
 argument-zero-help = 空：只测量。1 至 4：G54 至 G57；5 至 99：G505 至 G599；加 10000：粗偏移。9999 和 19999：有效坐标框架。9000 也在使用，其含义未公布。
+argument-zero-fine = { $name }，精调
+argument-zero-coarse = { $name }，粗调
+argument-zero-used = 有程序使用，含义未公开
 argument-tool = 要补偿的刀具
 argument-ball = 校准球直径
 argument-probing-angle = 探测角度
@@ -88,5 +91,9 @@ newer-cycle150 = 在屏幕上显示结果并写入测量记录
 newer-unsimulated = { $param } 会写入，但不模拟。
 newer-infeed = 正的 { "_ID" } 会写入，但不模拟。
 newer-infeed-hint = 新型控制系统的程序对向下的符号不一致：取负值时输入画面会模拟。
+newer-away = { "S_MD" } = { $value } 背离设定值：测头在另一侧。控制系统此时的动作没有公开，运行在此停止。
+newer-away-hint = 把测头定位到表面的另一侧，或更改测量方向。
+write-assigned = { $cycle } 用赋值写出：其参数列表第 1 个参数的数位没有公开。
+write-assigned-hint = 这台机床是否也接受赋值，要在机床上试过才知道。
 write-coarse = 参数 2 = { $value } 表示零点偏移的精偏移；此处 { "_CHBIT[21]" } = 1 补偿粗偏移。
 write-coarse-hint = 写成 { $coarse } 以补偿粗偏移。

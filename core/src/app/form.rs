@@ -21,6 +21,7 @@ use crate::machine::Setup;
 use crate::message::Message;
 use crate::name::Name;
 use crate::picture::Picture;
+use crate::program::convert;
 use crate::program::write::{self, Values, snippet_of};
 use crate::scene::Source;
 use crate::support::{Before, Support};
@@ -195,11 +196,11 @@ pub fn form(mut asked: FormRequest) -> Result<FormView, Error> {
         written => written == Some(Style::Operate),
     };
     let listed = newer_list(cycle, listed.then_some(Style::Operate)).filter(|list| list.is_written());
-    let preset = match listed {
+    let newer = newer_list(cycle, asked.written).or(listed);
+    let preset = match newer {
         Some(_) => Style::Operate,
         None => support.map_or(Style::Direct, |support| support.style(cycle)),
     };
-    let newer = newer_list(cycle, asked.written).or(listed);
     let support = support.filter(|_| newer.is_none());
     let (values, before) = entered(support, cycle, asked.values, control);
     let judge = |values: &Typed, control: &Control| match newer {
@@ -223,6 +224,14 @@ pub fn form(mut asked: FormRequest) -> Result<FormView, Error> {
         view.fields.extend(form::of_list(list, &values, control));
         form::name_arguments(list, &mut view.fields);
     }
+    if let Some(list) = newer {
+        form::take_numbers(list, cycle, asked.written.is_some(), &mut view.fields);
+        keep_to_list(&mut view, cycle, list, &values, style, control);
+    } else if control.number(GENERATION) == OF_LISTS && asked.written.is_none() {
+        let unwritten = newer_list(cycle, Some(Style::Operate));
+        let told = unwritten.map(|_| own::WRITE_ASSIGNED.finding().text("cycle", cycle.name));
+        view.snippet_findings.extend(told.iter().map(Finding::of));
+    }
     name_columns(&mut view.fields, asked.control, &asked.measured);
     for field in &mut view.fields {
         field.written = pointed.get(field.name.as_str()).cloned();
@@ -230,6 +239,9 @@ pub fn form(mut asked: FormRequest) -> Result<FormView, Error> {
     view.twins = asked.twin.then(|| twins(cycle, &values, &start.setup.control));
     if let Some(list) = newer {
         let notes = unsimulated::notes(cycle, list, &values, checked.inputs.as_ref(), &start.setup.control);
+        if notes.iter().any(|one| one.param.is_some_and(|name| name == newer::DIRECTION)) {
+            checked.inputs = None; // measured from its other side, the surface would look as if the call did so
+        }
         view.diagnostics.extend(notes.iter().map(Finding::of));
     }
     if !asked.predict {
@@ -259,6 +271,28 @@ pub fn form(mut asked: FormRequest) -> Result<FormView, Error> {
     view.calibrated = Some(setup.calibration_fits(probe_of(&inputs)));
     view.setup = Some(setup);
     Ok(view)
+}
+
+/// What of a call in the list of a newer control is not known: the variant has no name and no picture then, and no other
+/// call style says it.
+fn keep_to_list(
+    view: &mut FormView,
+    cycle: &'static Cycle,
+    list: &'static ArgumentList,
+    values: &Typed,
+    style: Style,
+    control: &Control,
+) {
+    if newer::is_open(cycle, list, values, control) {
+        view.mvar = None;
+        view.picture = None;
+    }
+    let refused = (style != Style::Operate).then(|| convert::only_listed(cycle, list, values, control)).flatten();
+    if let Some(finding) = refused {
+        view.snippet.clear();
+        view.snippet_places = Places::default();
+        view.snippet_findings = vec![Finding::of(&finding)];
+    }
 }
 
 /// Names columns that show a result as the measuring calls name it, where they agree.

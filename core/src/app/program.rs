@@ -5,7 +5,7 @@ use super::finding::{Finding, placed};
 use super::places::{self, Places};
 use super::start::{Machine, start};
 use super::{Error, ProgramText};
-use crate::check::variants;
+use crate::check::{newer, variants};
 use crate::control::{Control, Plane, Transverse, UnitFunction, delivery};
 use crate::dialect::Dialect;
 use crate::entry::{Style, Typed};
@@ -293,5 +293,6 @@ fn call(program: &Program, site: &CallSite, around: &UserPrograms, positions: &P
 fn variant(site: &CallSite) -> Option<i64> {
     let mut control = delivery(site.cycle.dialect);
     control.plane = site.plane;
-    variants::chosen(site.cycle, &site.values, &control)
+    let open = site.newer_list().is_some_and(|list| newer::is_open(site.cycle, list, &site.values, &control));
+    variants::chosen(site.cycle, &site.values, &control).filter(|_| !open)
 }

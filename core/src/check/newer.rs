@@ -62,8 +62,11 @@ pub fn is_coarse(typed: &Typed) -> bool {
 fn coarse(typed: &Typed) -> Option<i64> {
     let Parsed::Number(code) = parse(text(typed, names::KNUM)) else { return None };
     let coarse = code.fract() == 0.0 && (10_001.0..=10_099.0).contains(&code);
-    coarse.then_some(code as i64 - 10_000)
+    coarse.then_some(code as i64 - COARSE_FROM)
 }
+
+/// What the number of a zero offset has above that of its fine part, where the coarse part is meant.
+pub const COARSE_FROM: i64 = 10_000;
 
 /// Where the older control puts a correction of a settable frame, which the number in these lists says: 1 coarse, 0
 /// fine (B:14035-14039).

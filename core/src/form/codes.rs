@@ -1,9 +1,9 @@
 //! Numbers whose digits are choices: `_MVAR`, `_PRNUM`, `_EVNUM`, and `_KNUM` by what it corrects.
 
 use super::fields::{Choice, Entry, Group};
-use crate::check::{Target, target};
+use crate::check::{Target, newer, target};
 use crate::control::Control;
-use crate::entry::{Cycle, DigitGroup, Inputs, Param};
+use crate::entry::{ArgumentList, Cycle, DigitGroup, Inputs, Param};
 use crate::evaluate::knum;
 use crate::message::Message;
 
@@ -15,6 +15,12 @@ pub fn choices(list: &[(i64, &'static str)]) -> Vec<Choice> {
 /// The measuring variants of a cycle.
 pub fn variants(cycle: &Cycle) -> Vec<Choice> {
     cycle.variants.iter().map(|variant| Choice { value: variant.number, label: Message::new(variant.key) }).collect()
+}
+
+/// The measuring variants of a cycle of which this list is known.
+pub fn known_variants(cycle: &'static Cycle, list: &ArgumentList) -> Vec<Choice> {
+    let known = cycle.variants.iter().filter(|one| list.when.holds(&Inputs::new(cycle, one.number)));
+    known.map(|variant| Choice { value: variant.number, label: Message::new(variant.key) }).collect()
 }
 
 /// Groups of digits that have an effect with these inputs, with what they are in this number.
@@ -87,6 +93,24 @@ fn zero_offsets() -> Vec<Choice> {
     choices.extend((0..16).map(|index| frame(1011 + index, "$P_CHBFR", index, "knum-zero-channel")));
     choices.extend((0..16).map(|index| frame(1051 + index, "$P_NCBFR", index, "knum-zero-global")));
     choices.extend(self::choices(&[(2000, "knum-zero-system")]));
+    choices
+}
+
+/// Every target of a zero offset in the lists of newer controls: published programs, and tools that write them.
+pub fn newer_zero_offsets() -> Vec<Choice> {
+    let settable = |above: i64, key: &'static str| {
+        let name = |number| format!("G{}", if number <= 4 { 53 + number } else { 500 + number });
+        (1..=99)
+            .map(move |number| Choice { value: above + number, label: Message::new(key).text("name", name(number)) })
+    };
+    let mut choices = choices(&[(0, "knum-zero-none")]);
+    choices.extend(settable(0, "argument-zero-fine"));
+    choices.extend(settable(newer::COARSE_FROM, "argument-zero-coarse"));
+    choices.extend(self::choices(&[
+        (9000, "argument-zero-used"),
+        (9999, "knum-zero-active"),
+        (19_999, "knum-zero-active"),
+    ]));
     choices
 }
 

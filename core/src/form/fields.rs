@@ -179,6 +179,25 @@ pub(crate) fn of_list(list: &'static ArgumentList, typed: &Typed, control: &Cont
     all.map(|argument| argument_field(&argument, typed, control)).collect()
 }
 
+/// Gives the fields the numbers that the list has: the zero offsets of newer controls; of a call that is written in it
+/// also the variants of which it is known. Where nothing is published a number is typed as it is.
+pub(crate) fn take_numbers(list: &'static ArgumentList, cycle: &'static Cycle, written: bool, fields: &mut [Field]) {
+    for argument in Argument::all(list) {
+        let Some(field) = fields.iter_mut().find(|field| argument.param == Some(field.name)) else { continue };
+        let zero = field.code.is_some() && matches!(field.entry, Entry::Choice { .. });
+        let otherwise = if written { field.chooses || field.code.is_some() } else { zero };
+        if !otherwise {
+            continue;
+        }
+        field.code = None;
+        field.entry = match argument.is_open() {
+            true => Entry::Integer { range: Range::ANY },
+            false if field.chooses => Entry::Choice { choices: codes::known_variants(cycle, list) },
+            false => Entry::Choice { choices: codes::newer_zero_offsets() },
+        };
+    }
+}
+
 /// Says of each field which argument of the list it is.
 pub(crate) fn name_arguments(list: &'static ArgumentList, fields: &mut [Field]) {
     for argument in Argument::all(list) {

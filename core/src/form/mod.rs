@@ -13,4 +13,4 @@ pub use chain::{Bar, Chain, Limit, chain};
 pub use draw::draw;
 pub use fields::{Choice, Entry, Field, Group, argument_entry, fields};
 #[cfg(feature = "json")]
-pub(crate) use fields::{fields_by, name_arguments, of_list};
+pub(crate) use fields::{fields_by, name_arguments, of_list, take_numbers};

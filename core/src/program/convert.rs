@@ -9,7 +9,7 @@ use super::{arguments, carried};
 use crate::check::{Parsed, newer, parse};
 use crate::control::Control;
 use crate::diagnostic::Diagnostic;
-use crate::entry::{AUXILIARY_ARGS, Param, Style, Typed};
+use crate::entry::{AUXILIARY_ARGS, ArgumentList, Cycle, Param, Style, Typed};
 use crate::name::Name;
 use crate::support::Mark;
 use crate::syntax::Program;
@@ -167,9 +167,21 @@ fn foreign(program: &Program, site: &CallSite, control: &Control) -> Option<Diag
     if let Some((name, text)) = target.iter().find(|(name, _)| *name == TOOL_TARGET) {
         return Some(said(name, text));
     }
-    let name = *newer::foreign(site.cycle, list, &site.values, control).first()?;
-    let written = Some(value(name.as_str())).filter(|text| !text.is_empty());
-    Some(said(name.as_str(), written.unwrap_or("0")).at(name)) // an omitted argument is 0 there
+    only_listed(site.cycle, list, &site.values, control)
+}
+
+/// Why these values of a newer control's list are said by no other call style: what one of them means there.
+pub fn only_listed(
+    cycle: &'static Cycle,
+    list: &'static ArgumentList,
+    values: &Typed,
+    control: &Control,
+) -> Option<Diagnostic> {
+    let name = *newer::foreign(cycle, list, values, control).first()?;
+    let written = values.get(name.as_str()).map(String::as_str).filter(|text| !text.is_empty());
+    // an omitted argument is 0 there
+    let said = own::CONVERT_NEWER.finding().text("param", name).text("value", written.unwrap_or("0"));
+    Some(said.at(name))
 }
 
 /// The argument of newer controls for the tool that is corrected.

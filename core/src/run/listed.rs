@@ -9,6 +9,7 @@ use crate::diagnostic::{Diagnostic, Severity};
 use crate::entry::{AUXILIARY, AUXILIARY_ARGS, Arg, ArgumentList, Cycle, Inputs, Kind, Param, Style, Typed, names};
 use crate::machine::Machine;
 use crate::name::Name;
+use crate::own;
 use crate::problem::Problem;
 use crate::program::arguments;
 
@@ -102,10 +103,15 @@ fn newer_list(
     if checked.inputs.is_none() {
         checked.diagnostics.extend(newer::not_simulated(cycle, list, &typed, &run.sim.control));
     }
-    if let Some(inputs) = &checked.inputs {
+    let away = checked.inputs.as_ref().and_then(|inputs| leads_away(run, list, call, inputs));
+    if let Some(direction) = away {
+        checked.inputs = None;
+        let name = Name::new(newer::DIRECTION);
+        checked.diagnostics.push(own::NEWER_AWAY.finding().number("value", direction).at(name));
+    }
+    if checked.inputs.is_some() {
         let said = arguments::only_newer(&run.program, list, call.span).into_iter();
-        let told: Vec<_> =
-            said.filter(|(name, _)| *name != newer::DIRECTION || !leads_there(run, list, call, inputs)).collect();
+        let told: Vec<_> = said.filter(|(name, _)| *name != newer::DIRECTION).collect();
         for (name, _) in told {
             run.tell(Severity::Warning, &Problem::new("run-not-simulated", call.span, name));
         }
@@ -117,14 +123,14 @@ fn newer_list(
     done
 }
 
-/// Whether the measuring direction leads from where the probe is to the set position, as the older control measures.
-fn leads_there(run: &Interpreter, list: &ArgumentList, call: &Call, inputs: &Inputs) -> bool {
+/// The measuring direction that is written, where it does not lead from where the probe is to the set position. The
+/// older control measures towards that position; what the newer one does then is not published.
+fn leads_away(run: &Interpreter, list: &ArgumentList, call: &Call, inputs: &Inputs) -> Option<f64> {
     let index = list.args.iter().position(|arg| matches!(arg, Arg::Newer(newer::DIRECTION, _)));
-    let direction = index.and_then(|index| call.number(index));
-    let axis = run.sim.control.plane.axes().get((inputs.integer(names::MA) % 10 - 1) as usize).copied();
-    let Some(axis) = axis else { return false };
+    let direction = call.number(index?).filter(|direction| *direction != 0.0)?;
+    let axis = run.sim.control.plane.axes().get((inputs.integer(names::MA) % 10 - 1) as usize).copied()?;
     let minus = inputs.number(names::SETVAL) < run.sim.position()[axis];
-    direction == Some(if minus { newer::MINUS } else { 1.0 })
+    (direction != if minus { newer::MINUS } else { 1.0 }).then_some(direction)
 }
 
 /// What is not 0 goes into the data (B:11734).

@@ -90,6 +90,21 @@ fn fine_and_coarse_are_told_by_the_number() {
     assert_eq!(with("10001"), [0.0, -0.5]);
 }
 
+// oracle: peer (S_MD: 1 plus, 2 minus); hand: measured the other way, the face would be another one
+#[test]
+fn a_direction_that_leads_away_from_the_setpoint_stops_the_run() {
+    for (face, start, towards) in [(50.5, 60, "2"), (-50.5, -60, "1")] {
+        for direction in ["", "1", "2"] {
+            let call = format!("CYCLE978(100,1,,1,{face},5,5,1,{direction},1)");
+            let outcome = go(&format!("G17 G54 T9 D1 M6\nG0 X{start} Y0 Z20\nZ-10\n{call}\nM30\n"));
+            let away = !["", towards].contains(&direction);
+            assert_eq!(outcome.stop.is_some(), away, "{call}");
+            assert_eq!(outcome.diagnostics.iter().any(|one| one.message.key == "newer-away"), away, "{call}");
+            assert_eq!(outcome.control.frames.get(&1).is_none_or(|frame| frame.fine[0] == 0.0), away, "{call}");
+        }
+    }
+}
+
 // oracle: peer (the digits of their variants are not published; CYCLE150 shows results and measures nothing)
 #[test]
 fn a_run_stops_at_a_call_that_is_not_understood() {

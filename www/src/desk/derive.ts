@@ -140,6 +140,14 @@ function worth(
   };
 }
 
+/** A call that is never written anew in its own call style is the one that the program holds. */
+function asWritten(
+  program: string,
+  { from, to }: CallView,
+): Pick<FormView, "snippet" | "snippetPlaces" | "snippetFindings"> {
+  return { snippet: program.slice(from, to), snippetPlaces: {}, snippetFindings: [] };
+}
+
 const NO_EXPRESSIONS: Record<string, string> = {};
 
 function alike(a: Record<string, string>, b: Record<string, string>): boolean {
@@ -260,7 +268,7 @@ export function createDerive(forms: () => FormCore, catalogue: Catalogue): (stat
     const core = forms();
     const assumed = assume(opened, state.form.values);
     const { values, expressions } = known(opened, state.form.values);
-    const view = form(
+    const asked = form(
       core,
       cycle,
       values,
@@ -278,6 +286,8 @@ export function createDerive(forms: () => FormCore, catalogue: Catalogue): (stat
       opened?.style,
       cycle.purpose.probe === "log" ? measuredBy(reading.calls) : NOTHING_MEASURED,
     );
+    const kept = opened && !asked.snippet && opened.style === (style ?? asked.preset);
+    const view = kept ? { ...asked, ...asWritten(programOf(state), opened) } : asked;
     const index = opened ? reading.calls.indexOf(opened) : null;
     const blocks = around(
       core,

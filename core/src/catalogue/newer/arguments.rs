@@ -2,9 +2,10 @@
 //! the older control, and how that is known.
 
 use crate::catalogue::CYCLES;
-use crate::entry::{Arg, ArgumentList, Param};
+use crate::entry::{Arg, ArgumentList, Inputs, Param};
 use crate::message::Message;
 use crate::name::Name;
+use std::collections::BTreeSet;
 
 /// How the meaning of an argument is known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
@@ -72,6 +73,9 @@ impl Known {
     }
 }
 
+/// Key of what `S_ID` is where the probe moves down to the measuring height.
+const INFEED: &str = "argument-infeed";
+
 /// Practice: published programs and generators; alarms: the remedies of the newer controls. What counts for one list
 /// stands before what counts for all.
 const ARGUMENTS: &[Known] = &[
@@ -102,7 +106,8 @@ const ARGUMENTS: &[Known] = &[
     named("S_STA1", "α0"),
     alarm("S_INCA", "α1", 61443, ""),
     name_only("S_ID").of("CYCLE982"),
-    values("S_ID", "DZ", "argument-infeed"),
+    values("S_ID", "", "").of("CYCLE998"),
+    values("S_ID", "DZ", INFEED),
     alarm("S_SZA", "XS", 61334, ""),
     alarm("S_SZO", "YS", 61334, ""),
     values("S_MA", "", ""),
@@ -223,9 +228,27 @@ impl Argument {
     /// Key of its meaning.
     pub fn meaning(&self) -> String {
         match self.known.meaning {
-            "" => self.param().map_or("argument-name-only".into(), |param| format!("param-{}", param.key)),
+            "" => self.param().map_or("argument-name-only".into(), |param| format!("param-{}", self.label(param))),
             own => own.into(),
         }
+    }
+
+    /// Whether it is the travel down to the measuring height, whose sign differs between programs.
+    pub fn is_infeed(&self) -> bool {
+        self.known.meaning == INFEED
+    }
+
+    /// What the parameter is in the variants of which the list is known, else in all that use it; where they differ,
+    /// what it is by itself.
+    fn label(&self, param: &Param) -> &'static str {
+        let own = CYCLES.iter().find(|cycle| cycle.name == self.list.name);
+        let variants =
+            own.into_iter().flat_map(|cycle| cycle.variants.iter().map(|one| Inputs::new(cycle, one.number)));
+        let using: Vec<Inputs> = variants.filter(|inputs| param.is_known(inputs)).collect();
+        let one = |all: BTreeSet<&'static str>| all.first().copied().filter(|_| all.len() == 1);
+        let known =
+            using.iter().filter(|inputs| self.list.when.holds(inputs)).map(|inputs| param.label(inputs)).collect();
+        one(known).or_else(|| one(using.iter().map(|inputs| param.label(inputs)).collect())).unwrap_or(param.key)
     }
 
     /// What else is known of it, a line each.

@@ -152,11 +152,60 @@ fn the_start_of_a_list_follows_its_direction() {
     }
     // from above a face is measured downwards only
     let up = json!({ "_MVAR": "100", "_SETVAL": "12", "_MA": "3", "_KNUM": "1", "_FA": "2", "S_MD": "1" });
-    assert_eq!(told(&ask("CYCLE978", up)), ["S_MD"]);
+    let up = ask("CYCLE978", up);
+    assert_eq!(told(&up), ["S_MD"]);
+    assert!(up["outcome"].is_null(), "measured downwards, it would look as if the call did so");
     let hole = json!({ "_MVAR": "101", "_SETVAL": "50", "_KNUM": "1", "_FA": "2", "S_STA1": "30", "S_XM": "5" });
     assert_eq!(told(&ask("CYCLE977", hole)), ["S_STA1", "S_XM"]);
     let boss = json!({ "_MVAR": "102", "_SETVAL": "50", "_KNUM": "1", "_FA": "2", "_ID": "16" });
     assert_eq!(told(&ask("CYCLE977", boss)), ["_ID"]);
+}
+
+// oracle: peer (published lists: 10001 is G54 coarse; digits of CYCLE979 are not published); hand
+#[test]
+fn a_call_in_a_list_has_the_numbers_of_that_list() {
+    let ask = |cycle: &str, style: &str, values: Value| {
+        let request = json!({ "control": "sinumerik", "cycle": cycle, "written": "operate", "style": style,
+            "values": values });
+        form(&request.to_string()).unwrap()
+    };
+    let entry = |view: &Value, name: &str| {
+        let fields = view["fields"].as_array().unwrap();
+        fields.iter().find(|field| field["name"] == name).unwrap().clone()
+    };
+    let choices = |entry: &Value| -> Vec<i64> {
+        let all = entry["choices"].as_array().unwrap().iter();
+        all.map(|one| one["value"].as_i64().unwrap()).collect()
+    };
+    let hole = ask("CYCLE977", "operate", json!({ "_MVAR": "101", "_SETVAL": "50", "_KNUM": "10001", "_FA": "2" }));
+    assert_eq!(hole["mvar"], 101);
+    let offsets = choices(&entry(&hole, "_KNUM"));
+    assert!([0, 1, 10_001, 9000, 19_999].iter().all(|code| offsets.contains(code)), "{offsets:?}");
+    assert!(![1000, 1011, 1051, 2000].iter().any(|code| offsets.contains(code)), "{offsets:?}");
+    let variants = choices(&entry(&hole, "_MVAR"));
+    assert!(variants.contains(&1101) && !variants.contains(&1), "no tool: {variants:?}");
+    // what is not published is neither named nor drawn nor written otherwise
+    let open = json!({ "_MVAR": "101", "_SETVAL": "50", "_KNUM": "1", "_FA": "2" });
+    for style in ["operate", "direct", "indirect"] {
+        let view = ask("CYCLE979", style, open.clone());
+        assert_eq!((&view["mvar"], &view["snippet"]), (&Value::Null, &json!("")), "{style}");
+        assert!(view.get("picture").is_none() && !view["snippetFindings"].as_array().unwrap().is_empty());
+        assert_eq!(entry(&view, "_MVAR")["kind"], "integer");
+        assert_eq!(view["preset"], "operate");
+    }
+}
+
+// oracle: hand (a machine of generation 3 takes lists; the digits of CYCLE961's are not published)
+#[test]
+fn a_cycle_without_list_says_why_it_is_assigned() {
+    let told = |generation: i32, cycle: &str| -> bool {
+        let setup = json!({ "control": "sinumerik", "probe": { "radius": 3, "length": 50 },
+            "data": { "PW-GENERATION": generation } });
+        let request = json!({ "control": "sinumerik", "cycle": cycle, "values": {}, "setup": setup });
+        let view = form(&request.to_string()).unwrap();
+        view["snippetFindings"].as_array().unwrap().iter().any(|one| one["code"] == "PW231")
+    };
+    assert!(told(3, "CYCLE961") && !told(1, "CYCLE961") && !told(3, "CYCLE977") && !told(3, "CYCLE116"));
 }
 
 // oracle: hand: the limits are set value plus tolerance; a zero offset is a datum; TNC 320 9/2016 p. 396 for the rest

@@ -201,7 +201,7 @@ fn to_look_at(source: &Source, list: &'static ArgumentList) -> Vec<Diagnostic> {
     let direction = has(newer::DIRECTION) && own_value(source, newer::DIRECTION).is_empty();
     let direction = direction.then(|| own::WRITE_DIRECTION.finding().at(Name::new(newer::DIRECTION)));
     let infeed = source.value(&names::ID).filter(|text| parse(text) != Parsed::Number(0.0));
-    let infeed = infeed.filter(|_| list.position(names::ID).is_some());
+    let infeed = infeed.filter(|_| Argument::all(list).any(|one| one.is_infeed() && one.param == Some(names::ID)));
     let infeed = infeed.map(|text| own::WRITE_INFEED.finding().text("value", text).at(names::ID));
     direction.into_iter().chain(infeed).chain(coarse(source, list)).collect()
 }
