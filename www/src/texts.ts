@@ -175,6 +175,9 @@ export function sayProblem(problem: string): string {
   return line === undefined ? say(refused) : t("refused-place", { line, column, text: say(refused) });
 }
 
+/** Whether a problem names the line of a document that it is about. */
+export const isPlaced = (problem: string): boolean => refusal(problem)?.line !== undefined;
+
 function refusal(problem: string): (Message & { line?: number; column?: number }) | null {
   try {
     const read = JSON.parse(problem);

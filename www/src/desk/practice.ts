@@ -3,6 +3,7 @@
 
 import type { ProgramCore } from "../core/program";
 import { parseNumber, plain } from "../numbers";
+import { readText } from "../state/files";
 import { AS_SET_UP, type JogState, profile, type State } from "../state/state";
 import type { Store } from "../state/store";
 import type { PracticeCallRequest, PracticeChoice, PracticeRequest, RunRecord, Vec3 } from "../wire";
@@ -25,8 +26,8 @@ export interface Practice {
   restart(): void;
   /** The part lies otherwise; by a seed: as chance puts it. */
   lay(part: JogState["part"] | number): void;
-  /** The lines of a script that somebody has kept. */
-  take(text: string): void;
+  /** The lines of a script that somebody has kept in a file. */
+  take(file: File): Promise<void>;
   /** A call of a program as its mask; false: there is none. */
   call(asked: PracticeCallRequest): boolean;
   /** Whether what the mask means as a program is shown. */
@@ -149,7 +150,10 @@ export function createPractice(store: Store, core: () => ProgramCore | null): Pr
       const lies = typeof part === "number" ? { seed: part, part: AS_SET_UP } : { seed: null, part };
       carryOut({ lines, ...lies, revealed: typeof part !== "number" });
     },
-    take(text) {
+    async take(file) {
+      const reader = core();
+      const text = reader ? await readText(file, reader) : "";
+      if (typeof text !== "string") return set({ refused: { field: "", text: "", line: 0, message: text } });
       const laid: Record<string, string | undefined> = LAID.exec(text)?.groups ?? {};
       const { seed, x, y, z, tilt, size } = laid;
       const number = (value: string | undefined): number => parseNumber(value ?? "") ?? 0;
