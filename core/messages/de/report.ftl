@@ -83,12 +83,12 @@ terminal-around-found = um den Aufruf: { $title } [{ $name }] { $values }
 terminal-pair = Nicht in der Form NAME=WERT: { $text }
 terminal-alarm = Es gibt keinen Alarm und keine Meldung { $name }
 terminal-name = Kein Zyklus, keine Variable, keine Meldung und kein Alarm hat diesen Namen: { $name }
-terminal-large = größer als { $most } MB; eine kleinere Datei wählen
+terminal-large = größer als { $most } MB; eine kleinere Datei wählen
 terminal-picture = kein lesbares PNG-Bild; das Bild als PNG exportieren oder eine STL-Datei angeben
 terminal-file-missing = Datei oder Ordner nicht vorhanden; Namen und Ordner prüfen
 terminal-file-denied = Leserecht fehlt; Rechte ändern oder in einen eigenen Ordner kopieren
 terminal-file-folder = Das ist ein Ordner; eine Datei darin angeben
-terminal-file-line = Eine Zeile ist zu lang, um stückweise gelesen zu werden; prüfen, ob das ein Programm ist
+terminal-file-line = Lange kein Zeilenende; prüfen, ob das ein Programm ist
 terminal-file-unread = nicht lesbar (Systemfehler { $number }); Laufwerk oder Netzverbindung prüfen
 terminal-file-no-folder = Der Ordner dafür existiert nicht; den Ordner anlegen oder einen anderen angeben
 terminal-file-protected = Schreibrecht fehlt; einen anderen Ordner angeben

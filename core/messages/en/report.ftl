@@ -87,12 +87,12 @@ terminal-around-found = around the call: { $title } [{ $name }] { $values }
 terminal-pair = not NAME=VALUE: { $text }
 terminal-alarm = there is no alarm or message { $name }
 terminal-name = no cycle, data item, finding or alarm has this name: { $name }
-terminal-large = larger than { $most } MB; choose a smaller file
+terminal-large = larger than { $most } MB; choose a smaller file
 terminal-picture = not a PNG picture that can be read; export the picture as PNG, or name an STL file
 terminal-file-missing = there is no such file or folder; check name and folder
 terminal-file-denied = no permission to read this; change its permissions, or copy it into a folder of yours
 terminal-file-folder = this is a folder; name a file in it
-terminal-file-line = a line is too long to be read in pieces; check whether this is a program
+terminal-file-line = no end of a line for long; check whether this is a program
 terminal-file-unread = cannot be read (system error { $number }); check the drive or the network connection
 terminal-file-no-folder = its folder does not exist; create the folder, or specify another
 terminal-file-protected = no permission to write this; specify another folder

@@ -83,12 +83,12 @@ terminal-around-found = 调用前后：{ $title } [{ $name }] { $values }
 terminal-pair = 不是 NAME=VALUE 的形式：{ $text }
 terminal-alarm = 没有报警或信息 { $name }
 terminal-name = 没有这个名称的循环、数据、检查结果或报警：{ $name }
-terminal-large = 大于 { $most } MB；请选择较小的文件
+terminal-large = 大于 { $most } MB；请选择较小的文件
 terminal-picture = 不是可读取的 PNG 图片；请将图片导出为 PNG，或指定 STL 文件
 terminal-file-missing = 没有该文件或文件夹；请检查名称和文件夹
 terminal-file-denied = 没有读取权限；请更改权限，或将其复制到自己的文件夹
 terminal-file-folder = 这是文件夹；请指定其中的文件
-terminal-file-line = 有一行过长，无法分段读取；请检查这是否为程序
+terminal-file-line = 长段内没有行尾；请检查这是否为程序
 terminal-file-unread = 无法读取（系统错误 { $number }）；请检查驱动器或网络连接
 terminal-file-no-folder = 目标文件夹不存在；请创建该文件夹，或指定其他文件夹
 terminal-file-protected = 没有写入权限；请指定其他文件夹

@@ -19,6 +19,7 @@ export interface Practice {
   face(at: Vec3, normal: Vec3): void;
   /** Opens a mask, on the piece for it. */
   open(mask: PracticeChoice): void;
+  core(): ProgramCore | null;
   /** All that was measured. */
   record(): RunRecord | null;
   undo(): void;
@@ -141,6 +142,7 @@ export function createPractice(store: Store, core: () => ProgramCore | null): Pr
       const first = here ? lines : beginning(store.state.jog);
       carryOut({ lines: [...first, `mask ${name}`], ...(here ? {} : { piece }) });
     },
+    core,
     record: () => core()?.practiceRecord(requestOf(store.state.jog), FILE) ?? null,
     undo: () => carryOut({ lines: store.state.jog.lines.slice(0, -1) }),
     restart: () => carryOut({ lines: beginning(store.state.jog), seed: store.state.jog.seed }),

@@ -74,7 +74,7 @@ fn read(asked: &Arguments, setup: &mut Value, words: &Words) -> Result<bool, Pro
         files.push(ExportedFile { name: path.display().to_string(), text: file::exported(path)? });
     }
     let request = ReadBackRequest { setup: Some(serde_json::from_value(setup.clone())?), files };
-    let back = app::read_back(request).map_err(|refused| file::wrong(refused.message))?;
+    let back = app::read_back(request).map_err(|refused| file::wrong_files(&asked.files, refused.message))?;
     if let Value::Object(members) = setup {
         members.insert("data".to_owned(), json!(back.machine.data));
     }

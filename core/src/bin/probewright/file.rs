@@ -47,6 +47,11 @@ pub fn wrong_file(path: &Path, message: Message) -> Problem {
     Box::new(Told { path: Some(path.to_owned()), message })
 }
 
+/// What is wrong with several files together: the first of them is named.
+pub fn wrong_files(paths: &[PathBuf], message: Message) -> Problem {
+    paths.first().map_or_else(|| wrong(message.clone()), |path| wrong_file(path, message.clone()))
+}
+
 /// A file or folder that cannot be read: why, and what helps.
 pub fn unreadable(path: &Path, error: &std::io::Error) -> Problem {
     wrong_file(path, told_by_system(error, false))

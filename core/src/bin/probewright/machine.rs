@@ -52,7 +52,7 @@ pub fn machine(asked: &Arguments, words: &Words, out: &mut dyn Write) -> Result<
         files.push(ExportedFile { name: path.display().to_string(), text: file::exported(path)? });
     }
     let view = machine_check(MachineCheckRequest { files, without, large: asked.ncu3, deflection: asked.deflection });
-    let view = view.map_err(|refused| file::wrong(refused.message))?;
+    let view = view.map_err(|refused| file::wrong_files(&asked.files, refused.message))?;
     if let Some(path) = &asked.changes {
         file::write(path, [view.changes.clone()].into_iter())?;
     }
