@@ -45,7 +45,8 @@ export function createRecord(practice: Practice): (jog: JogState) => TemplateRes
   const all = (record: RunRecord): TemplateResult => html`
     <ol class="jog-measured">${record.calls.map(measured)}</ol>
     <div class="jog-part-keys">
-      ${saving(record, tableOf, "csv", "text/csv;charset=utf-8")} ${saving(record, recordText, "json", "application/json")}
+      ${saving(record, tableOf, "csv", "text/csv;charset=utf-8")}
+      ${saving(record, recordText, "json", "application/json")}
     </div>
   `;
   const toggled = ({ target }: Event): void => {

@@ -141,7 +141,7 @@ export function createAnswer(): AnswerLine {
   let real: Real | null = null;
   let whole: CertainRun | null = null;
   let told: CertaintyView | null = null;
-  /** Of the call of the whole program that is shown; of a run that was asked about alone. The same for the same call. */
+  /** Of the call of the whole program that is shown, where its run was asked about; the same for the same call. */
   const certainOf = (answer: Answer | undefined, { run }: Derived): CertaintyView | null => {
     const answers: readonly Answer[] = run && whole?.answers === run.answers ? run.answers : [];
     const figures = answer && whole?.known.calls[answers.indexOf(answer)]?.figures;

@@ -132,7 +132,8 @@ function choice<T extends string>(
   file: string,
   take: (value: T) => void,
 ): TemplateResult {
-  return html`<select id=${id} title=${inFile(file)} @change=${(event: Event) => take((event.target as HTMLSelectElement).value as T)}>
+  const chosen = (event: Event): void => take((event.target as HTMLSelectElement).value as T);
+  return html`<select id=${id} title=${inFile(file)} @change=${chosen}>
     ${all.map(one => html`<option value=${one} .selected=${one === value}>${t(`runs-${one}`)}</option>`)}
   </select>`;
 }

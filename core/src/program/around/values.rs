@@ -27,8 +27,8 @@ pub fn preset(field: &Field, inputs: &Inputs) -> String {
     }
 }
 
-/// Half of the tolerance that the call gives, as deviations count from its middle (B:2203-2211), else what the field has
-/// (mm); in the unit of the call.
+/// Half of the tolerance that the call gives, as deviations count from its middle (B:2203-2211), else what the field
+/// has (mm); in the unit of the call.
 fn limit(field: &Field, inputs: &Inputs) -> String {
     let given = [names::TUL, names::TLL].iter().any(|name| inputs.written.contains(name));
     let both = inputs.any(names::TUL).zip(inputs.any(names::TLL)).filter(|_| given);
