@@ -56,7 +56,7 @@ describe("scenarios", () => {
     const other = text.replaceAll("132.03", "132.04").replace("0.03 mm too big", "other");
     const json = (name, text) => ({ name, mimeType: "application/json", buffer: Buffer.from(text) });
     await pick(page, [
-      json("hole.scenario.json", text),
+      { ...json("hole.scenario.json", ""), buffer: Buffer.from(`\ufeff${text}`, "utf16le") }, // as editors save it too
       json("other.scenario.json", other),
       json("part.scenario.json", JSON.stringify(scenario)),
       json("wrong.scenario.json", '{\n "program": 1}'),

@@ -56,6 +56,13 @@ describe("a series of parts", () => {
     await shown.getByLabel("Parts", { exact: true }).fill("many");
     await shown.getByRole("button", { name: "Run series" }).click();
     await shown.getByText("This is no number: many").waitFor();
+    // a problem has the words of the fields, not those of the setup file
+    await shown.getByLabel("Parts", { exact: true }).fill("20");
+    await shown.getByRole("button", { name: "Add what varies" }).click();
+    await shown.getByRole("button", { name: "Run series" }).click();
+    const problem = shown.locator(".series-problem");
+    await problem.getByText(/Varies: \d/).waitFor();
+    assert.doesNotMatch(await problem.textContent(), /sigma|series\.vary/);
     assert.deepEqual(problems, []);
     await context.close();
   });

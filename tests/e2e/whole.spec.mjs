@@ -266,7 +266,7 @@ describe("the measurements of a whole program", () => {
   // oracle: hand: without scatter nothing is uncertain; JCGM 100, eq. 10: two touches and two of the calibration make u
   // of a diameter 2σ; it is 0.03 mm too large, which is its limit
   test("get their certainty on a machine whose probe scatters", async () => {
-    const { context, page, problems } = await start(chrome);
+    const { context, page, problems } = await start(chrome, { viewport: { width: 1280, height: 800 } });
     const certainty = page.getByRole("button", { name: "Certainty" });
     for (const scatter of [0, 0.001]) {
       const setup = JSON.parse(readFileSync(new URL("../../docs/setup.example.json", import.meta.url), "utf8"));
@@ -285,6 +285,11 @@ describe("the measurements of a whole program", () => {
     }
     const [, expanded] = (await row(page).locator(".cell-actual").textContent()).match(/±(0\.00\d\d)/);
     assert.ok(Math.abs(Number(expanded) - 0.004) < 0.0008, expanded);
+    const cut = await row(page)
+      .locator(".cell-actual")
+      .evaluate(cell => cell.scrollWidth > cell.clientWidth);
+    assert.equal(cut, false, "the uncertainty is in sight");
+    assert.match(await page.locator(".answer-certain").textContent(), /Ø 132\.\d+ ± 0\.00\d\d/);
     assert.match(await row(page).locator(".verdict").getAttribute("title"), /Neither good nor bad is proven\. good \d/);
     assert.deepEqual(problems, []);
     await context.close();

@@ -4,8 +4,8 @@ use crate::scene::Scene;
 use crate::steps::Steps;
 use probewright_core::scene::Source;
 use probewright_core::{app, encoding, json};
-use wasm_bindgen::JsError;
 use wasm_bindgen::prelude::wasm_bindgen;
+use wasm_bindgen::{JsError, JsValue};
 
 /// `AlarmInfo[]`: all alarms and messages.
 #[wasm_bindgen]
@@ -471,6 +471,17 @@ pub fn protocol(request: &str) -> Result<String, JsError> {
 #[wasm_bindgen]
 pub fn approach(request: &str) -> Result<String, JsError> {
     Ok(json::answer(request, app::approach)?)
+}
+
+/// `TableRequest` → lines of the table of a record; the first piece has its headings. `say`: the words of a key.
+///
+/// # Errors
+/// A request of the wrong shape.
+#[wasm_bindgen]
+pub fn record_table(request: &str, say: &js_sys::Function) -> Result<String, JsError> {
+    let words = |key: &str| say.call1(&JsValue::NULL, &key.into()).ok().and_then(|said| said.as_string());
+    let say = |key: &str| words(key).unwrap_or_else(|| key.to_owned());
+    Ok(app::record_table(&json::question(request)?, &say))
 }
 
 /// Tells by its bytes, which come in pieces, whether a file is a part program and how it is encoded.

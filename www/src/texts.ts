@@ -175,7 +175,11 @@ export function sayProblem(problem: string): string {
   return line === undefined ? say(refused) : t("refused-place", { line, column, text: say(refused) });
 }
 
-function refusal(problem: string): (Message & { line?: number; column?: number }) | null {
+/** Whether a problem names the line of a document that it is about. */
+export const isPlaced = (problem: string): boolean => refusal(problem)?.line !== undefined;
+
+/** Why a document is refused; null: the problem is told in words already. */
+export function refusal(problem: string): (Message & { line?: number; column?: number }) | null {
   try {
     const read = JSON.parse(problem);
     return typeof read?.key === "string" ? read : null;

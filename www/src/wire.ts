@@ -2929,6 +2929,8 @@ export type RunRequest = {
   blocks?: number,
   /** Files beside the program: its subprograms, definition files; absent: none. */
   with?: Array<Beside>,
+  /** Name of its file, `part.mpf`, which no log can have; absent: none, or the text tells it. */
+  file?: string,
 };
 
 /** A result of a run. */
@@ -3253,6 +3255,8 @@ export type SeriesAlarm = {
   share: number,
   /** Standard error of this share; of all or none of the runs: how much it may be off with 95 % confidence. */
   error: number,
+  /** Count and share in words, with no more digits than are certain. */
+  told: Message,
   /** Name of the alarm; empty: none of the control. */
   code: string,
   /** What it says. */
@@ -3447,6 +3451,8 @@ export type SeriesShare = {
   share: number,
   /** Standard error of this share; of all or none of the runs: how much it may be off with 95 % confidence. */
   error: number,
+  /** Count and share in words, with no more digits than are certain. */
+  told: Message,
 };
 
 /** What a series begins with. */
@@ -3477,6 +3483,8 @@ export type SeriesView = {
   finished: number,
   /** The measuring calls, in order. */
   calls: Array<SeriesCall>,
+  /** How many of them are listed, where the program has more. */
+  more?: Message,
   /** Alarms and operator messages, each with the share of the runs in which it came. */
   alarms: Array<SeriesAlarm>,
 };

@@ -5,7 +5,6 @@ protocol-ending = { $fitted ->
    *[other] { $fitted } Zeilen des Protokolls passen. Zeilen, die nicht passen: { $unfit }. Aufrufe ohne Wert: { $missing }.
 }
 protocol-empty = Das Protokoll ist leer: die Datei wählen, die die Maschine geschrieben hat.
-protocol-no-text = Die Datei enthält keinen Text: das Messprotokoll oder die Tabelle wählen, die die Maschine geschrieben hat.
 protocol-large = Das Protokoll hat mehr als { $most } Zeilen: teilen, eine Datei je Teil.
 protocol-no-calls = Das Programm misst nichts, wofür ein Protokoll Werte haben könnte: das Programm öffnen, das die Maschine ausgeführt hat.
 protocol-no-actual = Die Spalte des Istwerts fehlt: sie nennen, oder die von Sollwert und Abweichung.

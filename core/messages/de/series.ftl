@@ -5,6 +5,8 @@ series-figure = { $mean } ± { $deviation } { $unit } (Mittelwert, Standardabwei
 series-capability = Cp { $cp }, Cpk { $cpk } (95 % von { $low } bis { $high })
 series-corrected = { $target }: { $count } Mal korrigiert um { $mean } ± { $deviation } { $unit }, von { $min } bis { $max }
 series-share = { $count } ({ $share } ± { $error } %)
+series-more = Das Programm misst { $count }-mal; aufgeführt sind die ersten { $shown } Messungen. Für die übrigen ein Programm ausführen, das mit ihnen beginnt.
+series-share-all = { $count } (100 %; mit 95 % Sicherheit mindestens { $least } %)
 series-uncorrected = Dieselben Teile ohne Korrektur:
 series-no-alarm = Kein Alarm in { $runs } Läufen: mit 95 % Sicherheit weniger als { $most } %.
 

@@ -5,7 +5,6 @@ protocol-ending = { $fitted ->
    *[other] { $fitted } lines of the protocol fit. Lines that do not fit: { $unfit }. Calls without a value: { $missing }.
 }
 protocol-empty = The protocol is empty: choose the file that the machine wrote.
-protocol-no-text = The file contains no text: choose the log or the table that the machine wrote.
 protocol-large = The protocol has more than { $most } lines: split it, a file for each part.
 protocol-no-calls = The program measures nothing that a protocol could have values for: open the program that the machine carried out.
 protocol-no-actual = The column of the actual value is missing: name it, or those of setpoint and deviation.

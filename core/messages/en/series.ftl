@@ -5,6 +5,8 @@ series-figure = { $mean } ± { $deviation } { $unit } (mean, standard deviation)
 series-capability = Cp { $cp }, Cpk { $cpk } (95 % from { $low } to { $high })
 series-corrected = { $target } corrected { $count } times by { $mean } ± { $deviation } { $unit }, from { $min } to { $max }
 series-share = { $count } ({ $share } ± { $error } %)
+series-more = The program measures { $count } times; listed are the first { $shown } measurements. For the others, run a program that begins with them.
+series-share-all = { $count } (100 %; at least { $least } % with 95 % confidence)
 series-uncorrected = The same parts without corrections:
 series-no-alarm = No alarm in { $runs } runs: less than { $most } % with 95 % confidence.
 

@@ -2,7 +2,6 @@
 
 protocol-ending = 测量记录中相符的行：{ $fitted }。不相符的行：{ $unfit }。没有数值的调用：{ $missing }。
 protocol-empty = 测量记录为空：请选择机床写出的文件。
-protocol-no-text = 文件不含文本：请选择机床写出的测量记录或表格。
 protocol-large = 测量记录超过 { $most } 行：请拆分，每个零件一个文件。
 protocol-no-calls = 此程序不测量任何内容，测量记录中不会有相应数值：请打开机床执行的程序。
 protocol-no-actual = 缺少实际值列：请指定该列，或指定设定值列和偏差列。

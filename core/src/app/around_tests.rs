@@ -230,7 +230,7 @@ fn does(block: &AroundBlock, case: &Case, plain: &Outcome, outcome: &Outcome, te
         Dialect::Nct => deviation(case, plain),
     };
     let limit = block.fields.iter().find(|field| field.name == "limit");
-    let good = limit.is_none_or(|field| measured.abs() <= field.preset.parse::<f64>().unwrap());
+    let good = limit.is_none_or(|field| measured.abs() <= field.preset.parse::<f64>().unwrap() + 1e-9);
     let left = |number| left(outcome, dialect, number);
     let halted = block.name == "alarm" && !good;
     assert_eq!(outcome.finished(), !halted, "{}", at());

@@ -105,7 +105,9 @@ pub use predict::{ErrorLimit, ErrorSliders, PartSliders, ProbeSliders};
 pub use program::{Arrival, CallView, OtherCall, ProgramParameter, ProgramPlace, ReadRequest, ReadView, calls, read};
 pub use program_text::ProgramText;
 pub use protocol::{Arrow, ProtocolColumns, ProtocolRequest, ProtocolView, UnfitLine, laid, protocol};
-pub use record::{CalibrationState, ProbeOfCall, Record, RecordAbout, RecordFile, csv};
+pub use record::{
+    CalibrationState, ProbeOfCall, Record, RecordAbout, RecordFile, TableCall, TableRequest, csv, record_table,
+};
 pub use repeat::{RepeatFound, RepeatRequest, RepeatTrend, RepeatView, repeat, repeat_on};
 pub use run::{OfCall, Run, RunAlarm, RunAnswer, RunAssumed, RunDecision, RunRequest, RunResult, RunView};
 pub use scan::{Scan, ScanRequest, ScanView, SurfaceChoice, put_surface};

@@ -55,6 +55,8 @@ pub struct RunRequest {
     pub blocks: Option<u32>,
     /// Files beside the program: its subprograms, definition files; absent: none.
     pub with: Option<Vec<Beside>>,
+    /// Name of its file, `part.mpf`, which no log can have; absent: none, or the text tells it.
+    pub file: Option<String>,
 }
 
 /// What a program did.
@@ -241,8 +243,8 @@ pub(super) fn session(
 /// let text = "R1=20*2\nG0 X=R1\nM30\n".into();
 /// let control = Dialect::Sinumerik;
 /// let (program, arguments, strict, blocks) = (None, None, None, None);
-/// let (setup, mode, target, with) = (None, None, None, None);
-/// let asked = RunRequest { control, text, setup, program, arguments, strict, mode, target, blocks, with };
+/// let (setup, mode, target, with, file) = (None, None, None, None, None);
+/// let asked = RunRequest { control, text, setup, program, arguments, strict, mode, target, blocks, with, file };
 /// let mut run = Run::new(asked)?;
 /// while !run.advance(100) {}
 /// let view = run.view();
@@ -270,6 +272,7 @@ impl Run {
         let limits = Limits { steps, strict, mode, target, ..Limits::default() };
         let arguments = asked.arguments.unwrap_or_default();
         let session = session(&whole, &setup, limits, asked.program.as_deref(), arguments);
+        let session = session.of_file(&asked.file.unwrap_or_default());
         Ok(Run { session, setup, whole })
     }
 

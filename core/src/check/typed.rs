@@ -82,6 +82,7 @@ pub fn read(cycle: &'static Cycle, typed: &Typed, control: &Control, diagnostics
     let mut inputs = Inputs::new(cycle, cycle.variants.first().map_or(0, |variant| variant.number));
     inputs.five_digit_edges = knum::five_digit_edges(control);
     inputs.plane = control.plane;
+    inputs.units = control.active_units;
     inputs.diameters = control.transverse != Transverse::Radius;
     for name in cycle.settings {
         inputs.settings.insert(name, control.number(name));

@@ -1,8 +1,8 @@
 //! The values of a call: as typed, and as checked.
 
 use super::{Cycle, Unit};
-use crate::control::Plane;
 use crate::control::tools::REVERSED;
+use crate::control::{Plane, Units};
 use crate::geometry::Degrees;
 use crate::name::Name;
 use std::collections::{BTreeMap, BTreeSet};
@@ -27,6 +27,8 @@ pub struct Inputs {
     pub five_digit_edges: bool,
     /// Working plane of the control at the call.
     pub plane: Plane,
+    /// Unit of lengths at the call, in which the cycle gives its results.
+    pub units: Units,
     /// Whether positions of X are diameters at the call.
     pub diameters: bool,
     /// Data of the machine that the cycle's entry names, as the control has them.
@@ -54,6 +56,7 @@ impl Inputs {
             texts: BTreeMap::new(),
             five_digit_edges: false,
             plane: Plane::G17,
+            units: Units::Metric,
             diameters: false,
             settings: BTreeMap::new(),
             tool_type: 0,

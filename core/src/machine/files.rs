@@ -12,7 +12,7 @@ pub enum Fault {
     NoName = 3,
     /// The file is of another type.
     Type = 4,
-    /// It is the program that is running.
+    /// It is a program that is being carried out.
     InUse = 11,
 }
 
@@ -23,8 +23,9 @@ const TYPES: [&str; 2] = ["MPF", "SPF"];
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Files {
     all: BTreeMap<String, File>,
-    /// The main program, which cannot be written.
-    running: Option<String>,
+    /// The programs that are being carried out, the main program first: none of them can be written. None: one without
+    /// a file.
+    running: Vec<Option<String>>,
     /// How often something changed: what decides over the future of a run compares this instead of the lines.
     changes: u64,
 }
@@ -37,14 +38,33 @@ struct File {
 }
 
 impl Files {
-    /// With a main program of this name running, as its header tells it.
+    /// With a main program that is carried out, in the file of this name.
     pub fn beside(program: Option<&str>) -> Files {
-        Files { running: program.and_then(|name| named(name).ok()), ..Files::default() }
+        let mut files = Files::default();
+        files.begin(program);
+        files
     }
 
-    /// Whether the program that is running has this name.
+    /// A program begins, in the file of this name.
+    pub fn begin(&mut self, program: Option<&str>) {
+        self.running.push(program.and_then(|name| named(name).ok()));
+    }
+
+    /// The program that began last has come to its end.
+    pub fn end(&mut self) {
+        self.running.pop();
+    }
+
+    /// The main program is in a file that its own text does not name.
+    pub fn name_main(&mut self, file: &str) {
+        if let Some(main @ None) = self.running.first_mut() {
+            *main = on_control(file);
+        }
+    }
+
+    /// Whether a program that is being carried out has this name: its file is open, and cannot be written (A:15898).
     pub fn in_use(&self, name: &str) -> bool {
-        self.running.as_deref() == Some(name)
+        self.running.iter().any(|running| running.as_deref() == Some(name))
     }
 
     /// Makes an empty file; one of this name is deleted.
@@ -87,6 +107,14 @@ impl Files {
     pub fn changes(&self) -> u64 {
         self.changes
     }
+}
+
+/// The name on the control of a file of a computer, `part.mpf` or `part.nc`; none: it can have none there.
+fn on_control(file: &str) -> Option<String> {
+    let upper = file.trim().to_ascii_uppercase();
+    let (stem, ending) = upper.rsplit_once('.').unwrap_or((&upper, ""));
+    let kind = TYPES.into_iter().find(|kind| *kind == ending).unwrap_or("MPF");
+    named(stem).ok().map(|name| name.strip_suffix(".MPF").map_or(name.clone(), |name| format!("{name}.{kind}")))
 }
 
 /// Characters of a line with its end; the control writes one byte for each.
@@ -143,6 +171,16 @@ mod tests {
     fn lines_are_kept_in_their_order() {
         let mut files = Files::beside(Some("MEASPROGRAM_1"));
         assert!(files.in_use("MEASPROGRAM_1.MPF") && !files.in_use("LOG.MPF"));
+        files.name_main("log.mpf"); // its text names it already
+        files.begin(Some("_N_LOG_MPF"));
+        assert!(files.in_use("MEASPROGRAM_1.MPF") && files.in_use("LOG.MPF"));
+        files.end();
+        assert!(files.in_use("MEASPROGRAM_1.MPF") && !files.in_use("LOG.MPF"));
+        for (file, name) in [("part.nc", "PART.MPF"), ("_N_PART_MPF", "PART.MPF"), ("part.spf", "PART.SPF")] {
+            let mut files = Files::beside(None);
+            files.name_main(file);
+            assert!(files.in_use(name), "{file}");
+        }
         files.write("LOG.MPF", "Müller".into());
         files.write("LOG.MPF", String::new());
         assert_eq!((files.size("LOG.MPF"), files.changes()), (8, 2));

@@ -176,6 +176,12 @@ impl Session {
         self
     }
 
+    /// With the main program in the file of this name, where its text does not tell it.
+    pub fn of_file(mut self, file: &str) -> Session {
+        self.run.sim.files.name_main(file);
+        self
+    }
+
     /// Ends the run before its first block.
     fn refuse(&mut self, problem: Problem) {
         let halt = Halt::from(problem);

@@ -142,3 +142,23 @@ fn a_log_before_a_measurement_leaves_the_assumed_machine_as_it_is() {
     assert_eq!(alone, behind);
     assert!(alone.1 > 0.0, "{alone:?}");
 }
+
+// oracle: manual A:15898 (the file is used by an NC program already): that of a program which is carried out is open,
+// whether its name is in the text or not; that of another one is replaced (B:11229)
+#[test]
+fn a_log_cannot_take_the_file_of_a_program_that_is_carried_out() {
+    let ends = |text: &str, file: &str| {
+        let session = Session::new(read(Dialect::Sinumerik, text.as_bytes()), &setup(), Limits::default());
+        let outcome = session.of_file(file).complete();
+        outcome.alarms().iter().map(ToString::to_string).collect::<Vec<_>>()
+    };
+    let log = "_PROTNAME[1]=\"PART\" _PROTVAL[0]=\"A\" _PROTVAL[2]=\"R1\"\nCYCLE100\n";
+    let in_use = ["61356"];
+    let alone = format!("{log}M30\n");
+    assert_eq!(ends(&alone, "part.mpf"), in_use);
+    assert_eq!(ends(&alone, ""), [""; 0]);
+    assert_eq!(ends(&format!("%_N_OTHER_MPF\n{alone}"), "part.mpf"), [""; 0]);
+    let (main, other) = ("%_N_MAIN_MPF\n", "%_N_PART_MPF\n");
+    assert_eq!(ends(&format!("{main}PART\nM30\n{other}{log}M17\n"), ""), in_use);
+    assert_eq!(ends(&format!("{main}PART\n{log}M30\n{other}R1=1\nM17\n"), ""), [""; 0]);
+}

@@ -143,6 +143,7 @@ pub fn enter(run: &mut Interpreter, at: usize, call: &Call, unit: &Unit, passes:
         bound.insert(name, local);
     }
     let blocks = unit.blocks.clone();
+    run.sim.files.begin(unit.file.as_deref());
     run.levels.push(Level { locals: bound, elements, blocks, call: at, left: passes - 1, saved, ..Level::default() });
     Ok(Next::Jump(unit.blocks.start))
 }
@@ -161,6 +162,7 @@ pub fn leave(run: &mut Interpreter) -> Next {
         return Next::Jump(level.blocks.start);
     }
     let Some(level) = run.levels.pop() else { return Next::End };
+    run.sim.files.end();
     if let Some(saved) = level.saved {
         restore(run, *saved);
     }

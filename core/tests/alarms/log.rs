@@ -25,7 +25,7 @@ fn files() -> Vec<Case> {
         program(61354, "_PROTNAME[1]=\"\""),
         program(61355, "_PROTNAME[1]=\"LOG.TXT\""),
         program(61355, "_PROTNAME[1]=\"LOG_SPF\""),
-        program(61356, "_PROTNAME[1]=\"PART\""),
+        program(61356, "_PROTNAME[1]=\"PART\""), // it is being carried out: its file is open
     ]
 }
 

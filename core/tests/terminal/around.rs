@@ -22,6 +22,9 @@ fn write_puts_a_block_around_the_call() {
     ] {
         from += text[from..].find(line).unwrap_or_else(|| panic!("{line:?} in its order: {text}"));
     }
+    // hand: half of the tolerance, whose middle counts (B:2203-2211)
+    let output = asked(&["_TUL=0.05", "_TLL=-0.03", "--around", "stop"]);
+    assert!(out(&output).contains("ABS(_OVR[16])<=0.04 GOTOF"), "{}{}", out(&output), err(&output));
     let refused = [
         (&["--around", "rework"][..], "rework.program"), // it has to be entered
         (&["--around", "rework.program=L100", "--around", "rework.passes=0"], "rework.passes"),

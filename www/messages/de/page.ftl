@@ -453,6 +453,7 @@ step-sets = Wertesätze
 refused-program-size = { $name } wurde nicht geöffnet: Die Datei hat { $size } MB, mehr als dieser Browser im Speicher halten kann. Ihr Programm ist unverändert.
 refused-setup-size = { $name } wurde nicht geöffnet: Die Datei hat { $size } MB, eine Maschineneinrichtung darf höchstens { $most } MB haben. Ihre Maschineneinrichtung ist unverändert.
 refused-no-program = { $name } wurde nicht geöffnet: { $why }. Ihr Programm ist unverändert.
+refused-no-text = { $name } wurde nicht geöffnet: { $why }. Alles andere ist unverändert.
 refused-unreadable = { $name } wurde nicht geöffnet: Der Browser kann die Datei nicht lesen. Vielleicht wurde sie inzwischen verschoben oder geändert.
 refused-folder = { $name } wurde nicht geöffnet: Das ist ein Ordner ohne Dateien.
 refused-setup = { $name } ist keine Maschineneinrichtung und wurde nicht geöffnet: { $why } „Einrichtung exportieren“ schreibt eine zum Vergleich. Ihre Maschineneinrichtung ist unverändert.

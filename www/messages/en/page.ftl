@@ -444,6 +444,7 @@ step-sets = Value sets
 refused-program-size = { $name } was not opened: it has { $size } MB, more than this browser can hold. Your program is unchanged.
 refused-setup-size = { $name } was not opened: it has { $size } MB, but a setup may have at most { $most } MB. Your setup is unchanged.
 refused-no-program = { $name } was not opened: { $why }. Your program is unchanged.
+refused-no-text = { $name } was not opened: { $why }. Nothing else has changed.
 refused-unreadable = { $name } was not opened: the browser cannot read it. The file may have been moved or changed.
 refused-folder = { $name } was not opened: it is a folder without files.
 refused-setup = { $name } is not a setup and was not opened: { $why } “Export setup” writes one for comparison. Your setup is unchanged.

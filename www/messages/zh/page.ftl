@@ -437,6 +437,7 @@ step-sets = 参数组
 refused-program-size = 未打开 { $name }：文件为 { $size } MB，超出此浏览器的内存。您的程序没有改变。
 refused-setup-size = 未打开 { $name }：文件为 { $size } MB，机床配置最大 { $most } MB。您的机床配置没有改变。
 refused-no-program = 未打开 { $name }：{ $why }。您的程序没有改变。
+refused-no-text = 未打开 { $name }：{ $why }。其他内容没有改变。
 refused-unreadable = 未打开 { $name }：浏览器无法读取。文件可能已被移动或更改。
 refused-folder = 未打开 { $name }：这是没有文件的文件夹。
 refused-setup = 未打开 { $name }：这不是机床配置文件。{ $why }可用“导出机床配置”生成一个作对照。您的机床配置没有改变。

@@ -162,6 +162,11 @@ export interface ProgramCore extends FormCore {
   /** The mask that measures what a call measures; null: there is none. */
   asMask(request: PracticeCallRequest): PracticeCall | null;
   /** Takes the bytes of a file in pieces. */
+  /** Lines of the table of a record, whose calls say what they mean. `words`: those of a key. */
+  recordTable(
+    request: { calls: unknown; first: number; files: RunRecord["files"] },
+    words: (key: string) => string,
+  ): string;
   recogniser(): { take(bytes: Uint8Array): void; finish(): Recognised };
   /** The setup of a file, with its defaults; or why it is none. */
   setup(text: string): Setup | { why: string };
@@ -331,6 +336,7 @@ export async function loadProgramCore(): Promise<ProgramCore> {
     setup: text => orWhy<Setup>(() => wasm.setup(text)),
     around: request => JSON.parse(call("around", () => wasm.around(JSON.stringify(request)))) as AroundView,
     change: request => changes(request, null),
+    recordTable: (request, words) => call("record_table", () => wasm.record_table(JSON.stringify(request), words)),
     recogniser,
     form: formed,
     read: request => JSON.parse(answer({ ask: "read", ...request })) as ReadView,

@@ -15,7 +15,7 @@ import {
 import type { FormView, Machine, ProgramParameter, ProgramPlace, ReadView } from "../wire";
 import { isCurrent } from "./program";
 
-export type Given = Pick<Ran, "with" | "arguments" | "strict" | "mode" | "target" | "program">;
+export type Given = Pick<Ran, "with" | "arguments" | "strict" | "mode" | "target" | "program" | "file">;
 
 /** The program of a text that is to be run, where one is chosen that is in it. */
 export function chosenIn(view: ReadView | undefined, { run: { main } }: State): ProgramPlace | undefined {
@@ -62,6 +62,7 @@ export function givenTo(state: State): Given & { known: boolean } {
   const typed = given[state.form.control];
   const parameters = parametersIn(reading?.view, state);
   const chosen = chosenIn(reading?.view, state);
+  const file = state.program.files[state.form.control]?.name;
   const values = typed && parameters ? argumentsOf(typed, parameters) : {};
   return {
     known: (!typed && state.run.main === "") || isCurrent(reading, state),
@@ -70,5 +71,6 @@ export function givenTo(state: State): Given & { known: boolean } {
     ...(state.run.strict ? { strict: true } : {}),
     ...modeIn(state),
     ...(chosen ? { program: chosen.name } : {}),
+    ...(file ? { file } : {}),
   };
 }

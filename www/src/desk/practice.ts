@@ -3,6 +3,7 @@
 
 import type { ProgramCore } from "../core/program";
 import { parseNumber, plain } from "../numbers";
+import { readText } from "../state/files";
 import { AS_SET_UP, type JogState, profile, type State } from "../state/state";
 import type { Store } from "../state/store";
 import type { PracticeCallRequest, PracticeChoice, PracticeRequest, RunRecord, Vec3 } from "../wire";
@@ -18,6 +19,7 @@ export interface Practice {
   face(at: Vec3, normal: Vec3): void;
   /** Opens a mask, on the piece for it. */
   open(mask: PracticeChoice): void;
+  core(): ProgramCore | null;
   /** All that was measured. */
   record(): RunRecord | null;
   undo(): void;
@@ -25,8 +27,8 @@ export interface Practice {
   restart(): void;
   /** The part lies otherwise; by a seed: as chance puts it. */
   lay(part: JogState["part"] | number): void;
-  /** The lines of a script that somebody has kept. */
-  take(text: string): void;
+  /** The lines of a script that somebody has kept in a file. */
+  take(file: File): Promise<void>;
   /** A call of a program as its mask; false: there is none. */
   call(asked: PracticeCallRequest): boolean;
   /** Whether what the mask means as a program is shown. */
@@ -140,6 +142,7 @@ export function createPractice(store: Store, core: () => ProgramCore | null): Pr
       const first = here ? lines : beginning(store.state.jog);
       carryOut({ lines: [...first, `mask ${name}`], ...(here ? {} : { piece }) });
     },
+    core,
     record: () => core()?.practiceRecord(requestOf(store.state.jog), FILE) ?? null,
     undo: () => carryOut({ lines: store.state.jog.lines.slice(0, -1) }),
     restart: () => carryOut({ lines: beginning(store.state.jog), seed: store.state.jog.seed }),
@@ -149,7 +152,10 @@ export function createPractice(store: Store, core: () => ProgramCore | null): Pr
       const lies = typeof part === "number" ? { seed: part, part: AS_SET_UP } : { seed: null, part };
       carryOut({ lines, ...lies, revealed: typeof part !== "number" });
     },
-    take(text) {
+    async take(file) {
+      const reader = core();
+      const text = reader ? await readText(file, reader) : "";
+      if (typeof text !== "string") return set({ refused: { field: "", text: "", line: 0, message: text } });
       const laid: Record<string, string | undefined> = LAID.exec(text)?.groups ?? {};
       const { seed, x, y, z, tilt, size } = laid;
       const number = (value: string | undefined): number => parseNumber(value ?? "") ?? 0;

@@ -49,7 +49,7 @@ export function createPlace(
   on(file, "change", () => {
     const [picked] = file.files ?? [];
     file.value = "";
-    void picked?.text().then(practice.take, console.error);
+    if (picked) void practice.take(picked);
   });
   root.append(head, mask, picture, hand, part, file);
   const drawMask = createMask(mask, practice, leads);

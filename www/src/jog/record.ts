@@ -38,10 +38,15 @@ export function createRecord(practice: Practice): (jog: JogState) => TemplateRes
   >
     ${t(`whole-${ending}`)}
   </button>`;
+  const tableOf = async (record: RunRecord): Promise<string[]> => {
+    const core = practice.core();
+    return core ? csv(record, core) : [];
+  };
   const all = (record: RunRecord): TemplateResult => html`
     <ol class="jog-measured">${record.calls.map(measured)}</ol>
     <div class="jog-part-keys">
-      ${saving(record, csv, "csv", "text/csv;charset=utf-8")} ${saving(record, recordText, "json", "application/json")}
+      ${saving(record, tableOf, "csv", "text/csv;charset=utf-8")}
+      ${saving(record, recordText, "json", "application/json")}
     </div>
   `;
   const toggled = ({ target }: Event): void => {

@@ -164,7 +164,7 @@ export function createBench(parts: Parts): Bench {
   const asked = (): ProgramQuestion | null => {
     if (!shown) return null;
     const { state, derived } = shown;
-    const { known: _, arguments: __, strict: ___, mode: ____, target: _____, ...given } = givenTo(state);
+    const { known: _, arguments: __, strict: ___, mode: ____, target: _____, file: ______, ...given } = givenTo(state);
     const setup = machineTo(state, derived.view);
     return { control: state.form.control, text: derived.program, ...(setup && { setup }), ...given };
   };

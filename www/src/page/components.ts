@@ -268,7 +268,15 @@ function wholes(): States {
   ];
   return [rows.slice(0, 1), rows].map(answers => {
     const none = (): undefined => undefined;
-    const ways = { paper: none, series: none, program: () => null, core: () => null, arrows: none, real: none };
+    const ways = {
+      paper: none,
+      series: none,
+      program: () => null,
+      core: () => null,
+      arrows: none,
+      real: none,
+      certain: none,
+    };
     const whole = createWhole(store, actions, none, ways);
     const run = { answers, finished: true, about: { machine: "" } } as unknown as RunView;
     const derived = { run, read: { calls: [] }, step: 3 } as unknown as Derived;

@@ -156,9 +156,10 @@ async function readAgain(encoding: Encoding, { store, actions, opening, editor }
 }
 
 async function openSetupFile(file: File, { full, store, actions }: Needed): Promise<void> {
-  const text = await readSetup(file);
+  const core = await full();
+  const text = await readSetup(file, core);
   if (typeof text !== "string") return refuse(store, "setup", text);
-  const setup = (await full()).setup(text);
+  const setup = core.setup(text);
   if ("why" in setup)
     refuse(store, "setup", { key: "refused-setup", args: { name: file.name, why: sayProblem(setup.why) } });
   else actions.openSetup(setup);

@@ -39,7 +39,8 @@ const isGiven = (ran: Ran, given: Given): boolean =>
   ran.strict === given.strict &&
   ran.mode === given.mode &&
   ran.target === given.target &&
-  ran.program === given.program;
+  ran.program === given.program &&
+  ran.file === given.file;
 
 function cameTo(view: RunView, steps: Columns | undefined): Pick<Ran, "view" | "course"> {
   if (!steps) return { view, course: courseOf(view.trace) };
@@ -50,13 +51,9 @@ function cameTo(view: RunView, steps: Columns | undefined): Pick<Ran, "view" | "
 /** With what a run did, or why there is nothing. */
 export function withRun(answered: Answered | null, state: State): State {
   if (answered?.question.ask !== "run" || !isOfNow(answered.question, state)) return state;
-  const {
-    question: { control, text, setup, times, known, with: beside, arguments: values, strict, mode, target, program },
-    json,
-    scene,
-    steps,
-    problem,
-  } = answered;
+  const { question, json, scene, steps, problem } = answered;
+  const { control, text, setup, times, known, with: beside, arguments: values, ...how } = question;
+  const { strict, mode, target, program, file } = how;
   if (json === undefined || !scene) return patched(state, { run: { stopped: { control, text, why: problem ?? "" } } });
   const came = known ? state.run.done : cameTo(JSON.parse(json) as RunView, steps);
   if (!came) return state;
@@ -77,6 +74,7 @@ export function withRun(answered: Answered | null, state: State): State {
         mode,
         target,
         program,
+        file,
       },
     },
   });

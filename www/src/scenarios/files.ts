@@ -2,7 +2,7 @@
 
 import type { ProgramCore } from "../core/program";
 import { createJob } from "../pace";
-import { readProgram } from "../state/files";
+import { type Refusal, readProgram, readText } from "../state/files";
 import type { Beside, Scenario, ScenarioText } from "../wire";
 
 /** Of a scenario that is built in, where its truth is: a worked measurement or figures of a manual, a closed loop. */
@@ -12,7 +12,7 @@ export type Kind = "example" | "vector" | "loop";
 export interface Found {
   name: string;
   kind?: Kind;
-  text(): Promise<string>;
+  text(): Promise<string | Refusal>;
   /** The files that a text names. */
   beside(text: string): Promise<Beside[]>;
 }
@@ -58,7 +58,7 @@ export function scenariosIn(files: readonly File[], core: ProgramCore): Picked {
   const used = new Set<File>(scenarios);
   const found = scenarios.map(file => ({
     name: pathOf(file),
-    text: () => file.text(),
+    text: () => readText(file, core),
     async beside(text: string) {
       const near = (name: string): File | undefined => {
         const one = files.find(other => other.name === name && folderOf(other) === folderOf(file));

@@ -12,14 +12,14 @@ import { guidePart } from "../guide";
 import { iconPart } from "../icons";
 import { fileOf, saveFile } from "../state/files";
 import type { State } from "../state/state";
-import { say, sayProblem, t } from "../texts";
+import { isPlaced, say, sayProblem, t } from "../texts";
 import type { CaseView, NoteRequest, Scenario, ScenarioView } from "../wire";
 import { type Found, type Kind, scenariosIn } from "./files";
 
 const SHOWN = 100; // files that no scenario needs
 
 /** What came of a scenario, or why nothing did. */
-type Came = { name: string; kind?: Kind } & (ScenarioView | { why: string });
+type Came = { name: string; kind?: Kind } & (ScenarioView | { why: string; placed: boolean });
 
 /** What is carried out: `count` scenarios, since when, until when (ms). */
 interface Series {
@@ -62,9 +62,10 @@ export function createScenarios(
   };
   const one = async ({ name, kind, text, beside }: Found): Promise<Came> => {
     const read = await text();
-    const proved = await prover.ask({ text: read, beside: await beside(read) });
     const what = kind ? { name, kind } : { name };
-    if ("problem" in proved) return { ...what, why: sayProblem(proved.problem) };
+    if (typeof read !== "string") return { ...what, why: t(read.key, read.args), placed: false };
+    const proved = await prover.ask({ text: read, beside: await beside(read) });
+    if ("problem" in proved) return { ...what, why: sayProblem(proved.problem), placed: isPlaced(proved.problem) };
     return { ...what, ...(JSON.parse(proved.json) as ScenarioView) };
   };
   const carryOut = async (found: readonly Found[], unused: () => string[] = () => []): Promise<void> => {
@@ -183,9 +184,9 @@ function unusedOf(unused: readonly string[]): TemplateResult {
 }
 
 /** Why a scenario was not carried out, and what helps. */
-const refused = (why: string): TemplateResult =>
+const refused = (why: string, placed: boolean): TemplateResult =>
   html`<p>${why}</p>
-    <p>${t("scenario-cure")}</p>`;
+    ${placed ? html`<p>${t("scenario-cure")}</p>` : nothing}`;
 
 function row(came: Came): TemplateResult {
   const fine = good(came);
@@ -197,7 +198,7 @@ function row(came: Came): TemplateResult {
     <span class="scenario-name">${came.name}</span>
     <span class="meta">${"why" in came ? nothing : `${length}/${cases.length}`}</span>
     <span class="meta scenario-source">${"source" in came ? from(came) : nothing}</span>
-    ${"why" in came ? refused(came.why) : cases.filter(one => !holds(one)).map(differing)}
+    ${"why" in came ? refused(came.why, came.placed) : cases.filter(one => !holds(one)).map(differing)}
   </li>`;
 }
 

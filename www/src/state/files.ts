@@ -3,7 +3,7 @@
 import type { ProgramCore } from "../core/program";
 import { el } from "../dom";
 import { type Bytes, decodeFrom, type Encoding, PIECE } from "../encoding";
-import { type Pace, within } from "../pace";
+import { type Pace, sliced, within } from "../pace";
 import { say, t } from "../texts";
 import type { Dialect } from "../wire";
 import { markInPieces } from "./mark";
@@ -133,14 +133,39 @@ export async function readProgram(
   }
 }
 
-/** The text of a setup file; whether it is a setup the core says. */
-export async function readSetup(file: File): Promise<string | Refusal> {
-  if (file.size > LARGEST_SETUP) return tooLarge("refused-setup-size", file, LARGEST_SETUP);
+/** The text of a file that is no program (a protocol, a scenario, a script), whatever its encoding. */
+export async function readText(file: File, core: ProgramCore): Promise<string | Refusal> {
+  const { name } = file;
+  const bytes = bytesOf(file);
   try {
-    return await file.text();
-  } catch {
-    return { key: "refused-unreadable", args: { name: file.name } };
+    const encoding = await recognised(bytes, core, sliced());
+    if (typeof encoding !== "string") return { key: "refused-no-text", args: { name, ...encoding } };
+    return await decodeFrom(bytes, encoding, sliced());
+  } catch (problem) {
+    if (!(problem instanceof DOMException)) throw problem;
+    return { key: "refused-unreadable", args: { name } };
   }
+}
+
+/** The texts of several files, or why one is not taken. */
+export async function readTexts(files: readonly File[], core: ProgramCore): Promise<string[] | Refusal> {
+  const read = await Promise.all(files.map(file => readText(file, core)));
+  const refused = read.find(one => typeof one !== "string");
+  return refused ?? read.filter(one => typeof one === "string");
+}
+
+/** What a machine exported: an archive may have parts that are no text, the others are read. */
+export async function readExported(file: File, core: ProgramCore): Promise<{ name: string; text: string }> {
+  const read = await readText(file, core);
+  return {
+    name: file.name,
+    text: typeof read === "string" ? read : new TextDecoder().decode(await file.arrayBuffer()),
+  };
+}
+
+/** The text of a setup file; whether it is a setup the core says. */
+export async function readSetup(file: File, core: ProgramCore): Promise<string | Refusal> {
+  return file.size > LARGEST_SETUP ? tooLarge("refused-setup-size", file, LARGEST_SETUP) : readText(file, core);
 }
 
 export function saveFile(content: BlobPart, name: string, type = "text/plain"): void {

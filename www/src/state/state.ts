@@ -60,6 +60,7 @@ export interface Ran {
   mode?: RunMode;
   target?: number;
   program?: string;
+  file?: string;
   view: RunView; // but for its steps
   course: Course;
   scene: SceneData;

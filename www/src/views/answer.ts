@@ -8,7 +8,7 @@ import { el, setText } from "../dom";
 import { type IconName, iconPart } from "../icons";
 import type { State } from "../state/state";
 import { listed, say, t } from "../texts";
-import type { Answer, CertaintyView, Figure, RunView } from "../wire";
+import type { Answer, CertaintyView, Figure, RunView, WholeCertainty } from "../wire";
 import { amount, correctedText, figureText, mainFigures, partsText, unitBehind } from "./amounts";
 import { certainty } from "./certain";
 import { gaugePicture } from "./gauge";
@@ -117,8 +117,17 @@ export interface Real {
   file: string;
 }
 
+/** How certain the measurements of a run are. */
+export interface CertainRun {
+  known: WholeCertainty;
+  /** Those of the run that was asked about. */
+  answers: RunView["answers"];
+}
+
 export interface AnswerLine {
   root: HTMLElement;
+  /** With the whole program this stands under what its call came to; null: nothing is known. */
+  setCertain(next: CertainRun | null): void;
   /** With the whole program this counts, not what was simulated; null: there is no protocol. */
   setReal(next: Real | null): void;
   draw(state: State, derived: Derived): void;
@@ -130,8 +139,21 @@ export function createAnswer(): AnswerLine {
   const root = el("section", { class: "answer", "aria-label": t("bar-title") }, bar, live);
   const speak = afterRest(text => setText(live, text));
   let real: Real | null = null;
+  let whole: CertainRun | null = null;
+  let told: CertaintyView | null = null;
+  /** Of the call of the whole program that is shown, where its run was asked about; the same for the same call. */
+  const certainOf = (answer: Answer | undefined, { run }: Derived): CertaintyView | null => {
+    const answers: readonly Answer[] = run && whole?.answers === run.answers ? run.answers : [];
+    const figures = answer && whole?.known.calls[answers.indexOf(answer)]?.figures;
+    if (!whole || !figures) return null;
+    if (told?.figures !== figures) told = { runs: whole.known.runs, stopped: whole.known.stopped, figures };
+    return told;
+  };
   return {
     root,
+    setCertain(next) {
+      whole = next;
+    },
     setReal(next) {
       real = next;
     },
@@ -140,7 +162,7 @@ export function createAnswer(): AnswerLine {
       const measured = program ? real : null;
       const answer = measured ? answerAt(measured, derived.step) : shownAnswer(state, derived);
       const file = measured?.file ?? "";
-      const certain = program ? null : derived.certain;
+      const certain = program ? (measured ? null : certainOf(answer, derived)) : derived.certain;
       const none = answer ? "" : unanswered(state, derived);
       const line = (found: Answer): TemplateResult =>
         html`${guard([found, file, certain], () => body(found, file, certain))}`;

@@ -37,7 +37,10 @@ export const spokenOf = ({ value, expanded, decimals, unit, coverage, symbol }: 
 
 /** What makes most of it. */
 export function largestOf({ budget: [largest] }: Certain): string {
-  return largest ? t("certain-largest", { source: say(largest.source), share: percent(largest.share) }) : "";
+  if (!largest) return "";
+  const share = Math.round(1000 * largest.share) / 10;
+  const told = t("certain-share", { share: fixed(share, share === 100 ? 0 : 1) }); // nothing else contributes
+  return t("certain-largest", { source: say(largest.source), share: told });
 }
 
 /** The most important quantity; none where nothing spreads. */

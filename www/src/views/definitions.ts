@@ -8,11 +8,10 @@ import { html, nothing, render, type TemplateResult } from "lit-html";
 import type { ProgramCore } from "../core/program";
 import { el, on, setAttribute } from "../dom";
 import { guideButton } from "../guide";
-import { saveFile } from "../state/files";
+import { readExported, saveFile } from "../state/files";
 import { say, sayProblem, t } from "../texts";
 import type { DefinitionsText, DefinitionsView, Machine, MachineView, MemoryShare } from "../wire";
 import { passingDialog, showPassing } from "./passing";
-import { textOf } from "./protocol";
 
 const CHANNELS = 10;
 const LARGEST = 50 * 2 ** 20; // bytes
@@ -119,7 +118,7 @@ export function openDefinitions(core: ProgramCore, machine: OfMachine, end: Abor
       problem.textContent = t("exported-too-large", { most: LARGEST / 2 ** 20 });
       return;
     }
-    const texts = await Promise.all(files.map(async file => ({ name: file.name, text: await textOf(file) })));
+    const texts = await Promise.all(files.map(file => readExported(file, core)));
     if (end.aborted || !dialog.open) return;
     const answer = core.readBack({ ...machine.setup(), files: texts });
     if ("why" in answer) {

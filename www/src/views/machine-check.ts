@@ -6,12 +6,11 @@ import { html, nothing, render, type TemplateResult } from "lit-html";
 import type { ProgramCore } from "../core/program";
 import { el, on, setAttribute } from "../dom";
 import { guideButton } from "../guide";
-import { saveFile } from "../state/files";
+import { readExported, saveFile } from "../state/files";
 import { say, sayProblem, t } from "../texts";
 import type { ExportedFile, MachineCheckView, MachineFault, Severity, Use } from "../wire";
 import { createBraking } from "./braking";
 import { passingDialog, printBelow, showPassing } from "./passing";
-import { textOf } from "./protocol";
 
 const SEVERITIES: Severity[] = ["error", "warning", "note"];
 const USES = ["jog", "log", "tool-probe"] as const satisfies Use[];
@@ -173,7 +172,9 @@ export function openMachineCheck(core: () => ProgramCore | null, end: AbortSigna
       problem.textContent = t("exported-too-large", { most: LARGEST / 2 ** 20 });
       return;
     }
-    files = await Promise.all(chosen.map(async file => ({ name: file.name, text: await textOf(file) })));
+    const reader = core();
+    if (!reader) return;
+    files = await Promise.all(chosen.map(file => readExported(file, reader)));
     check();
   };
   on(text, "input", later);

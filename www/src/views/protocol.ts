@@ -9,7 +9,7 @@ import { givenTo, machineTo } from "../desk/given";
 import { el } from "../dom";
 import { guidePart } from "../guide";
 import { iconPart } from "../icons";
-import { saveFile } from "../state/files";
+import { readTexts, saveFile } from "../state/files";
 import type { State } from "../state/state";
 import { say, sayProblem, t } from "../texts";
 import type { Arrow, ProtocolColumns, ProtocolRequest, ProtocolView } from "../wire";
@@ -39,16 +39,6 @@ export interface Protocol {
   pick(): void;
   /** `run`: it is about this one, and is over with another. */
   draw(state: State, derived: Derived): void;
-}
-
-/** A text as control and office write it. */
-export async function textOf(file: File): Promise<string> {
-  const bytes = await file.arrayBuffer();
-  try {
-    return new TextDecoder("utf-8", { fatal: true }).decode(bytes);
-  } catch {
-    return new TextDecoder("windows-1252").decode(bytes);
-  }
 }
 
 /** `changed`: what it came to is another. */
@@ -118,8 +108,14 @@ export function createProtocol({ core, arrows, real }: ProtocolWays, changed: ()
       file = { name: names.join(", "), names, texts: [] };
       of = now?.derived.run ?? null;
       problem = size > LARGEST ? t("protocol-too-large", { most: LARGEST / 2 ** 20 }) : "";
-      if (problem) return show();
-      file = { ...file, texts: await Promise.all(chosen.map(textOf)) };
+      const reader = core();
+      if (problem || !reader) return show();
+      const texts = await readTexts(chosen, reader);
+      if ("key" in texts) {
+        problem = t(texts.key, texts.args);
+        return show();
+      }
+      file = { ...file, texts };
       await lay();
     })();
   });

@@ -20,7 +20,7 @@ export function recordOf({ about, answers, ending, files }: RecordShown, program
 const isMessage = (value: object): value is Message => "key" in value && "args" in value;
 
 /** With the sentence beside every key. */
-function spoken(value: unknown): unknown {
+export function spoken(value: unknown): unknown {
   if (Array.isArray(value)) return value.map(spoken);
   if (typeof value !== "object" || value === null) return value;
   const members = Object.fromEntries(Object.entries(value).map(([name, one]) => [name, spoken(one)]));

@@ -78,7 +78,7 @@ export function createResults(
   goTo: (offset: number) => void,
   goToLine: (line: number) => void,
   given: Pick<Lacks, "pickFiles" | "machineValues">,
-  ways: Omit<WholeWays, "real">,
+  ways: Omit<WholeWays, "real" | "certain">,
 ): Draw {
   const bar = el("div", { role: "tablist", class: "tabs", "aria-label": t("panel-results") });
   const answer = createAnswer();
@@ -118,7 +118,11 @@ export function createResults(
     },
   };
   const draws: Draw[] = [
-    createOutcome(page("outcome"), store, actions, goToLine, lacks, { ...ways, real: answer.setReal }),
+    createOutcome(page("outcome"), store, actions, goToLine, lacks, {
+      ...ways,
+      real: answer.setReal,
+      certain: answer.setCertain,
+    }),
     createFindings(page("problems"), actions, goTo, lacks),
     createMotions(page("motions"), store),
     createLog(page("log")),

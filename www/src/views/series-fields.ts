@@ -2,7 +2,7 @@
 
 import { html, nothing, type TemplateResult } from "lit-html";
 import { parseNumber, plain } from "../numbers";
-import { say, t } from "../texts";
+import { refusal, say, sayProblem, t } from "../texts";
 import type { Mode, Per, Series, SeriesFollow, SeriesName, SeriesPreset, SeriesStart, Shape, Vary } from "../wire";
 
 const SHAPES: Shape[] = ["normal", "uniform", "triangular", "arcsine"];
@@ -81,6 +81,35 @@ const varyOf = ({ what, as, spread, mean, drift, per, follows, values }: Row): V
   ...(values.length ? { values } : {}),
 });
 
+/** What the setup file calls how far a shape reaches. */
+const spreadOf = ({ as }: Row): "sigma" | "half" => (as === "normal" ? "sigma" : "half");
+
+/** Where a member of the file is typed: its words in the dialog. */
+const FIELDS: Record<string, string> = {
+  what: "runs-what",
+  as: "runs-as",
+  sigma: "runs-sigma",
+  half: "runs-half",
+  mean: "runs-offset",
+  drift: "runs-drift",
+  per: "runs-per",
+  follows: "runs-follows",
+};
+
+/** A problem of a series in the words of its fields, not in those of the setup file. */
+export function seriesProblem(problem: string, { rows }: Typed, names: readonly SeriesName[]): string {
+  const refused = refusal(problem);
+  const [, at, member = ""] = /^series\.vary\[(\d+)\](?:\.(\w+))?/.exec(String(refused?.args.path ?? "")) ?? [];
+  const row = rows[Number(at)];
+  if (!refused || !row) return sayProblem(problem);
+  const known = names.find(({ name }) => name === row.what);
+  const name = known ? say(known.label) : row.what;
+  const number = t("runs-vary", { number: Number(at) + 1 });
+  if (refused.key === "setup-vary-nothing") return t("runs-nothing", { place: number, name });
+  const field = FIELDS[member] ? `, ${t(FIELDS[member])}` : "";
+  return say({ ...refused, args: { ...refused.args, path: `${number}${field}`, name } });
+}
+
 /** What was typed. Throws what is no number, or how many parts there may be, in words. */
 export function seriesOf({ parts, seed, mode, rows }: Typed): Series {
   const runs = number(parts);
@@ -89,12 +118,22 @@ export function seriesOf({ parts, seed, mode, rows }: Typed): Series {
   return { runs: Math.trunc(runs), seed: from, mode, vary: rows.map(varyOf) };
 }
 
-const input = (id: string, value: string, take: (value: string) => void): TemplateResult =>
-  html`<input id=${id} .value=${value} autocomplete="off"
+/** How the setup file calls a field; the name that a person reads is its label. */
+const inFile = (name: string): string => t("runs-in-file", { name });
+
+const input = (id: string, value: string, file: string, take: (value: string) => void): TemplateResult =>
+  html`<input id=${id} .value=${value} title=${inFile(file)} autocomplete="off"
     @input=${(event: Event) => take((event.target as HTMLInputElement).value)} />`;
 
-function choice<T extends string>(id: string, all: readonly T[], value: T, take: (value: T) => void): TemplateResult {
-  return html`<select id=${id} @change=${(event: Event) => take((event.target as HTMLSelectElement).value as T)}>
+function choice<T extends string>(
+  id: string,
+  all: readonly T[],
+  value: T,
+  file: string,
+  take: (value: T) => void,
+): TemplateResult {
+  const chosen = (event: Event): void => take((event.target as HTMLSelectElement).value as T);
+  return html`<select id=${id} title=${inFile(file)} @change=${chosen}>
     ${all.map(one => html`<option value=${one} .selected=${one === value}>${t(`runs-${one}`)}</option>`)}
   </select>`;
 }
@@ -119,7 +158,7 @@ function whatOf(id: string, row: Row, names: readonly SeriesName[], change: () =
   return html`${field(
     id,
     t("runs-what"),
-    html`<select id=${id} @change=${chosen}>${groups}
+    html`<select id=${id} title=${inFile(row.what)} @change=${chosen}>${groups}
       <option value="data." .selected=${!known}>${t("runs-of-name")}</option></select>`,
   )}
   ${
@@ -128,7 +167,7 @@ function whatOf(id: string, row: Row, names: readonly SeriesName[], change: () =
       : field(
           `${id}-name`,
           t("runs-name"),
-          input(`${id}-name`, row.what, value => (row.what = value)),
+          input(`${id}-name`, row.what, "what", value => (row.what = value)),
         )
   }`;
 }
@@ -164,21 +203,21 @@ function rowShown(
   const put = (name: "spread" | "mean" | "drift" | "follows") => (value: string) => {
     row[name] = value;
   };
-  const shape = choice(id("as"), SHAPES, row.as, value => {
+  const shape = choice(id("as"), SHAPES, row.as, "as", value => {
     row.as = value;
     change();
   });
-  const per = choice(id("per"), PERS, row.per, value => {
+  const per = choice(id("per"), PERS, row.per, "per", value => {
     row.per = value;
   });
   const typed = (name: "spread" | "mean" | "drift" | "follows", label: string): TemplateResult =>
-    field(id(name), label, input(id(name), row[name], put(name)));
+    field(id(name), label, input(id(name), row[name], name === "spread" ? spreadOf(row) : name, put(name)));
   const values = row.values.map(one => plain(one)).join(" ");
   return html`<fieldset class="series-vary">
     <legend>${t("runs-vary", { number: at + 1 })}</legend>
     ${whatOf(id("what"), row, names, change)}
     ${field(id("as"), t("runs-as"), shape)}
-    ${typed("spread", t(row.as === "normal" ? "runs-sigma" : "runs-half"))}
+    ${typed("spread", t(`runs-${spreadOf(row)}`))}
     ${typed("mean", t("runs-offset"))}
     ${typed("drift", t("runs-drift"))}
     ${field(id("per"), t("runs-per"), per)}
@@ -215,17 +254,17 @@ export function fieldsOf(typed: Typed, offered: Offered, change: () => void): Te
     ${field(
       "series-runs",
       t("runs-count"),
-      input("series-runs", typed.parts, value => (typed.parts = value)),
+      input("series-runs", typed.parts, "runs", value => (typed.parts = value)),
     )}
     ${field(
       "series-seed",
       t("runs-seed"),
-      input("series-seed", typed.seed, value => (typed.seed = value)),
+      input("series-seed", typed.seed, "seed", value => (typed.seed = value)),
     )}
     ${field(
       "series-mode",
       t("runs-mode"),
-      choice("series-mode", MODES, typed.mode, value => (typed.mode = value)),
+      choice("series-mode", MODES, typed.mode, "mode", value => (typed.mode = value)),
     )}
     ${rows.map((row, at) => rowShown(row, at, offered, { change, remove: remove(at) }))}
     <button type="button" @click=${add}>${t("runs-add")}</button>

@@ -13,7 +13,6 @@ const SAME = 1e-9; // what does not vary needs no chart
 /** How many parts of a series came to the end. */
 export const endingOf = ({ runs, finished, seed }: SeriesView): string => t("runs-ending", { runs, finished, seed });
 
-const percent = (share: number): string => fixed(100 * share, 1);
 const whole = (value: number): string => fixed(value, 2);
 const nameOf = ({ target, part }: SeriesCorrection): string => `${say(target)} ${part}`.trim();
 
@@ -47,8 +46,7 @@ function shares(title: string, all: readonly SeriesShare[]): TemplateResult | ty
   return html`<div class="series-shares">
     <h4>${title}</h4>
     <ul>${all.map(
-      ({ verdict, words, count, share, error }) => html`<li data-verdict=${verdict}
-        >${say(words)}: ${t("runs-share", { count, share: percent(share), error: percent(error) })}</li>`,
+      ({ verdict, words, told }) => html`<li data-verdict=${verdict}>${say(words)}: ${say(told)}</li>`,
     )}</ul>
   </div>`;
 }
@@ -143,17 +141,13 @@ function callOf(call: SeriesCall, { runs, mode }: SeriesView, width: number): Te
 
 /** All of it, in charts of this width, px. */
 export function resultOf(view: SeriesView, width: number): TemplateResult {
-  const { calls, alarms } = view;
-  return html`${calls.length ? calls.map(call => callOf(call, view, width)) : html`<p>${t("runs-no-call")}</p>`}
+  const { calls, alarms, more } = view;
+  return html`${more ? html`<p>${say(more)}</p>` : nothing}
+    ${calls.length ? calls.map(call => callOf(call, view, width)) : html`<p>${t("runs-no-call")}</p>`}
     ${
       alarms.length
         ? html`<section class="series-alarms"><h3>${t("runs-alarms")}</h3><ul>${alarms.map(
-            ({ code, message, count, share, error }) =>
-              html`<li><b>${code}</b> ${say(message)} ${t("runs-share", {
-                count,
-                share: percent(share),
-                error: percent(error),
-              })}</li>`,
+            ({ code, message, told }) => html`<li><b>${code}</b> ${say(message)} ${say(told)}</li>`,
           )}</ul></section>`
         : html`<p>${t("runs-no-alarm")}</p>`
     }`;

@@ -11,7 +11,7 @@ import { say, sayProblem, t } from "../texts";
 import type { Series, SeriesStart, SeriesView } from "../wire";
 import { printBelow, showPassing } from "./passing";
 import { PAPER_WIDTH } from "./series-chart";
-import { fieldsOf, type Offered, seriesOf, type Typed, typedOf } from "./series-fields";
+import { fieldsOf, type Offered, seriesOf, seriesProblem, type Typed, typedOf } from "./series-fields";
 import { endingOf, resultOf } from "./series-result";
 
 const LOOK = 250; // ms between two looks at how far it is
@@ -96,7 +96,7 @@ export function openSeries(core: ProgramCore, asked: SeriesQuestion, end: AbortS
     const first = !view;
     over();
     view = answered.json === undefined ? null : (JSON.parse(answered.json) as SeriesView);
-    problem.textContent = answered.problem === undefined ? "" : sayProblem(answered.problem);
+    problem.textContent = answered.problem === undefined ? "" : seriesProblem(answered.problem, typed, names);
     status.textContent = view ? endingOf(view) : "";
     printing.disabled = !view;
     if (first && view) help.open = false;

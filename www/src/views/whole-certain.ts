@@ -9,6 +9,7 @@ import { icon } from "../icons";
 import { fixed } from "../numbers";
 import { say, sayProblem, t } from "../texts";
 import type { Certain, RunView, WholeCertainty } from "../wire";
+import type { CertainRun } from "./answer";
 import { largestOf, provenOf, spokenOf } from "./certain";
 
 type Row = RunView["answers"][number];
@@ -19,6 +20,8 @@ export interface CertainWays {
   core(): ProgramCore | null;
   /** The open program on the machine in use; null: there is none. */
   program(): ProgramQuestion | null;
+  /** What is known of all calls, for the line of the answer; null: nothing. */
+  certain(known: CertainRun | null): void;
 }
 
 export interface WholeCertain {
@@ -77,6 +80,7 @@ export function createWholeCertain(ways: CertainWays, rows: () => Row[], changed
     if (!answered) return;
     over();
     known = answered.json === undefined ? null : (JSON.parse(answered.json) as WholeCertainty);
+    ways.certain(known && { known, answers: rows() });
     report(known ? told(known) : sayProblem(answered.problem ?? ""));
     changed();
   }
@@ -111,6 +115,7 @@ export function createWholeCertain(ways: CertainWays, rows: () => Row[], changed
     forget() {
       if (!known && !aside.busy() && status.hidden) return;
       known = null;
+      ways.certain(null);
       show(chosen, false);
       stop();
     },

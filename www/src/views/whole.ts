@@ -210,7 +210,14 @@ export function createWhole(
     label(t("protocol-open"), "long"),
   );
   const series = el("button", { type: "button", title: t("runs-open-hint") }, icon("dice"), label(t("runs-open")));
-  const certain = createWholeCertain(ways, () => rows(), drawRows);
+  const certain = createWholeCertain(
+    ways,
+    () => rows(),
+    () => {
+      drawRows();
+      store.update({}); // the line of the answer tells it too
+    },
+  );
   const buttons = [worst, asTable, asDocument, certain.button, series, onPaper, real, guideButton("record")];
   const top = el("div", { class: "whole-top" }, el("h3", {}, t("whole-title")), counts, ...buttons);
   const root = el("section", { class: "whole" }, top);
@@ -254,6 +261,7 @@ export function createWhole(
   };
 
   function drawRows(): void {
+    root.toggleAttribute("data-certain", certain.known()); // rows may be taller then
     const all = rows();
     const tall = height();
     const selected = chosen();
@@ -261,7 +269,6 @@ export function createWhole(
     const last = Math.min(all.length, Math.ceil((table.scrollTop + table.clientHeight) / tall) + BEYOND);
     space.style.height = `${all.length * tall}px`;
     setAttribute(table, "aria-rowcount", all.length + 1);
-    root.toggleAttribute("data-certain", certain.known());
     const shown = order.slice(first, last).map((index, offset) => ({ index, place: first + offset }));
     render(
       shown.map(({ index, place }) => {
@@ -328,7 +335,11 @@ export function createWhole(
     const made = record();
     if (made) void pieces(made).then(all => saveFile(new Blob(all), `${name()}.${ending}`, type));
   };
-  on(asTable, "click", saves(csv, "csv", "text/csv;charset=utf-8"));
+  const tableOf = async (made: RunRecord): Promise<string[]> => {
+    const core = ways.core();
+    return core ? csv(made, core) : [];
+  };
+  on(asTable, "click", saves(tableOf, "csv", "text/csv;charset=utf-8"));
   on(asDocument, "click", saves(recordText, "json", "application/json"));
   on(onPaper, "click", () => {
     const made = shown();

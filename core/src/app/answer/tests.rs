@@ -198,6 +198,7 @@ fn a_run_has_an_answer_for_the_call_that_stops_it() {
         target: None,
         blocks: None,
         with: None,
+        file: None,
     };
     let mut run = crate::app::Run::new(asked).unwrap();
     while !run.advance(100) {}

@@ -14,6 +14,7 @@ use super::answer::{Value, Values, measured};
 use super::record::RecordAbout;
 use super::run::{Run, RunAnswer, RunRequest};
 use super::{Error, record};
+use crate::encoding::recognise;
 use crate::machine::Setup;
 use crate::message::{Message, printable};
 use crate::refused::Path;
@@ -24,8 +25,6 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use text::{Line, lines};
 
-/// Characters from which it is told whether a file is text.
-const LOOKED_AT: usize = 4096;
 /// Most lines of a protocol.
 const MOST: usize = 1_000_000;
 /// A protocol, and the program that it is about.
@@ -147,8 +146,8 @@ pub fn laid(
     if calls.is_empty() {
         return Err(refused("protocol-no-calls"));
     }
-    if texts.iter().any(|text| is_binary(text.as_ref())) {
-        return Err(refused("protocol-no-text"));
+    if let Some(what) = texts.iter().find_map(|text| recognise(text.as_ref().as_bytes()).err()) {
+        return Err(refused(what));
     }
     let lines: Vec<Line> = texts.iter().enumerate().flat_map(|(file, text)| lines(file, text.as_ref())).collect();
     if lines.len() > MOST {
@@ -188,14 +187,6 @@ pub fn laid(
     let counts = Message::new("protocol-ending").number("fitted", fitted as f64).number("unfit", unfit.len() as f64);
     let ending = counts.number("missing", missing as f64);
     Ok(ProtocolView { answers, about, ending, fitted, missing, unfit, arrows, heads, recognised })
-}
-
-/// Whether a file is none of text: a picture, a program of a computer.
-fn is_binary(text: &str) -> bool {
-    let odd = |c: char| c == '\0' || c == char::REPLACEMENT_CHARACTER || c.is_control() && !c.is_ascii_whitespace();
-    let (odd, count) =
-        text.chars().take(LOOKED_AT).fold((0, 0), |(all, count), c| (all + usize::from(odd(c)), count + 1));
-    text.chars().take(LOOKED_AT).any(|c| c == '\0') || 10 * odd > count
 }
 
 /// Lines of a protocol as they were laid.

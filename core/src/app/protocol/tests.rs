@@ -217,7 +217,7 @@ fn files_of_a_protocol_are_read_together() {
 #[test]
 fn a_picture_is_no_protocol() {
     let picture = String::from_utf8_lossy(b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\x01\0").into_owned();
-    assert_eq!(onto_nominal(&picture, None).unwrap_err().message.key, "protocol-no-text");
+    assert_eq!(onto_nominal(&picture, None).unwrap_err().message.key, "file-binary");
 }
 
 // oracle: hand: each line that is not laid is told, with its number and why

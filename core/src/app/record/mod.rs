@@ -10,7 +10,7 @@ mod tests;
 pub(super) use of_jog::Recorder;
 pub use probes::{CalibrationState, ProbeOfCall};
 pub(super) use probes::{Probes, of_machine, probe_of};
-pub use table::csv;
+pub use table::{TableCall, TableRequest, csv, record_table};
 
 use super::jog::JogView;
 use super::protocol::ProtocolView;
@@ -19,7 +19,7 @@ use crate::dialect::Dialect;
 use crate::machine::Setup;
 use crate::message::Message;
 use crate::run::Outcome;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Version of the format.
 const FORMAT: u32 = 1;
@@ -45,7 +45,7 @@ pub struct Record {
 }
 
 /// A file beside the program.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub struct RecordFile {

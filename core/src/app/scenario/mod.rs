@@ -127,5 +127,6 @@ fn carried_out(scenario: &Scenario, setup: &Setup, text: ProgramText, with: Vec<
     let target = scenario.target.unwrap_or_default();
     let limits = Limits { steps: Some(BLOCKS), strict, mode, target, ..Limits::default() };
     let main = Some(scenario.main.as_str()).filter(|name| !name.is_empty());
-    session(&whole, setup, limits, main, scenario.arguments.clone()).complete()
+    let session = session(&whole, setup, limits, main, scenario.arguments.clone());
+    session.of_file(&scenario.program.name).complete()
 }

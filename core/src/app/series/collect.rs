@@ -2,7 +2,7 @@
 
 use super::{
     COURSE, SeriesAlarm, SeriesCall, SeriesCorrection, SeriesFigure, SeriesMemory, SeriesShare, SeriesSpread,
-    SeriesView, SeriesWeight,
+    SeriesView, SeriesWeight, share_told,
 };
 use crate::app::answer::{Figure, Limited, Verdict};
 use crate::app::outcome::{Raised, alarms};
@@ -29,6 +29,8 @@ pub(super) struct Collected {
     runs: usize,
     finished: usize,
     calls: Vec<Call>,
+    /// Most calls of a run.
+    most: usize,
     alarms: Vec<(Raised, usize)>,
 }
 
@@ -66,7 +68,9 @@ struct Corrected {
 impl Collected {
     /// Takes a run; false: it was given up.
     pub(super) fn add(&mut self, setup: &Setup, outcome: &Outcome) -> bool {
-        for (index, answer) in answers(setup, outcome).into_iter().take(CALLS).enumerate() {
+        let answers = answers(setup, outcome);
+        self.most = self.most.max(answers.len());
+        for (index, answer) in answers.into_iter().take(CALLS).enumerate() {
             let called = &outcome.called[index];
             if index == self.calls.len() {
                 self.calls.push(Call::new(&answer, &called.inputs, called.units));
@@ -92,13 +96,16 @@ impl Collected {
         let runs = self.runs;
         let alarm = |(raised, count): (Raised, usize)| {
             let share = share(count, runs);
-            SeriesAlarm { raised, count, share, error: share_doubt(share, runs) }
+            let error = share_doubt(share, runs);
+            SeriesAlarm { raised, count, share, error, told: share_told(count, share, error) }
         };
+        let more = || Message::new("series-more").number("count", self.most as f64).number("shown", CALLS as f64);
         SeriesView {
             runs: runs as u32,
             seed: series.seed,
             mode: series.mode,
             finished: self.finished,
+            more: (self.most > CALLS).then(more),
             calls: self.calls.into_iter().map(|call| call.view(runs)).collect(),
             alarms: self.alarms.into_iter().map(alarm).collect(),
         }
@@ -173,7 +180,8 @@ impl Call {
     fn view(self, runs: usize) -> SeriesCall {
         let verdict = |(verdict, words, count): (Verdict, Message, usize)| {
             let share = share(count, runs);
-            SeriesShare { verdict, words, count, share, error: share_doubt(share, runs) }
+            let error = share_doubt(share, runs);
+            SeriesShare { verdict, words, count, share, error, told: share_told(count, share, error) }
         };
         let corrected = |mut one: Corrected| {
             let spread = SeriesSpread::from(&Spread::of(one.by));

@@ -37,6 +37,9 @@ pub struct SeriesView {
     pub finished: usize,
     /// The measuring calls, in order.
     pub calls: Vec<SeriesCall>,
+    /// How many of them are listed, where the program has more.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub more: Option<Message>,
     /// Alarms and operator messages, each with the share of the runs in which it came.
     pub alarms: Vec<SeriesAlarm>,
 }
@@ -107,6 +110,8 @@ pub struct SeriesShare {
     pub share: f64,
     /// Standard error of this share; of all or none of the runs: how much it may be off with 95 % confidence.
     pub error: f64,
+    /// Count and share in words, with no more digits than are certain.
+    pub told: Message,
 }
 
 /// Numbers and how they are spread.
@@ -198,6 +203,8 @@ pub struct SeriesAlarm {
     pub share: f64,
     /// Standard error of this share; of all or none of the runs: how much it may be off with 95 % confidence.
     pub error: f64,
+    /// Count and share in words, with no more digits than are certain.
+    pub told: Message,
 }
 
 impl From<&Spread> for SeriesSpread {
@@ -219,6 +226,20 @@ impl From<&Spread> for SeriesSpread {
 
 /// Work in blocks after which a run is given up.
 const WORK: u64 = 100_000;
+
+/// In how many runs something happened, with no more digits than are certain: two behind the point at most.
+fn share_told(count: usize, share: f64, error: f64) -> Message {
+    let [share, error] = [share, error].map(|part| 100.0 * part);
+    let digits = if error > 0.0 { (-error.log10().floor()).clamp(0.0, 2.0) as i32 } else { 0 };
+    let step = 10f64.powi(-digits);
+    let round = |value: f64| (value / step).round() * step;
+    let tidy = |value: f64| (value * 100.0).round() / 100.0;
+    let message = |key: &'static str| Message::new(key).number("count", count as f64);
+    if share >= 100.0 {
+        return message("series-share-all").number("least", tidy(((100.0 - error) / step).floor() * step));
+    }
+    message("series-share").number("share", tidy(round(share))).number("error", tidy(round(error).max(step)))
+}
 
 /// First runs whose values are told one by one.
 const COURSE: usize = 1000;

@@ -136,6 +136,37 @@ fn wear_is_held_by_the_correction() {
 
 // oracle: hand
 #[test]
+fn a_share_has_no_more_digits_than_are_certain() {
+    let words = crate::words::Words::english();
+    for (count, runs, told) in [
+        (1, 1, "1 (100 %; at least 5 % with 95 % confidence)"), // 1 − 0.95
+        (30, 100, "30 (30 ± 5 %)"),                             // √(0.3·0.7/100) = 4.6 %
+        (9500, 10_000, "9500 (95 ± 0.2 %)"),                    // 0.22 %
+        (10_000, 10_000, "10000 (100 %; at least 99.97 % with 95 % confidence)"), // 3/10,000
+    ] {
+        let share = f64::from(count) / f64::from(runs);
+        let message = share_told(count as usize, share, crate::series::spread::share_doubt(share, runs as usize));
+        let text =
+            words.text(&message).replace(['\u{a0}', ','], " ").replace("9 500", "9500").replace("10 000", "10000");
+        assert_eq!(text, told);
+    }
+}
+
+// oracle: hand: each of the 1001 calls is counted, and the first 1000 are listed
+#[test]
+fn a_series_tells_that_it_lists_the_first_calls_only() {
+    let (program, mut setup) = hole(WIDE, Vec::new(), 1, Mode::Independent);
+    let text = String::from_utf8_lossy(&program.source).replace("CYCLE977", "FOR R1=1 TO 1001\nCYCLE977\nENDFOR");
+    let view = ran(&(Rc::new(read(Dialect::Sinumerik, text.as_bytes())), setup.clone()));
+    let more = view.more.unwrap();
+    let number = |name| more.args.iter().find(|(known, _)| *known == name).map(|(_, value)| value.clone());
+    assert_eq!((view.calls.len(), number("count")), (1000, Some(crate::message::Arg::Number(1001.0))), "{more:?}");
+    setup.series.runs = 1;
+    assert_eq!(ran(&(program, setup)).more, None);
+}
+
+// oracle: hand
+#[test]
 fn a_program_without_end_is_run_once() {
     let (_, setup) = hole(WIDE, Vec::new(), 1000, Mode::Independent);
     let program = Rc::new(read(Dialect::Sinumerik, b"N1 R1=R1+1\nGOTOB N1\nM30\n"));

@@ -36,7 +36,7 @@ pub fn definitions(asked: &Arguments, words: &Words, out: &mut dyn Write) -> Res
     let mut setup = match &asked.setup {
         Some(path) => {
             file::setup(path, asked.json, words, out)?;
-            serde_json::from_slice(&file::bytes(path)?)?
+            serde_json::from_str(&file::text(path)?)?
         }
         None => serde_json::to_value(Setup::calibrated(Dialect::Sinumerik, Plane::G17))?,
     };
@@ -54,7 +54,7 @@ pub fn definitions(asked: &Arguments, words: &Words, out: &mut dyn Write) -> Res
     };
     let view = app::definitions(request).map_err(|refused| file::wrong(refused.message))?;
     if let Some(folder) = &asked.into {
-        std::fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
+        file::make_folder(folder)?;
         for one in &view.files {
             file::write(&folder.join(one.saved), [one.text.clone()].into_iter())?;
         }
@@ -71,12 +71,10 @@ pub fn definitions(asked: &Arguments, words: &Words, out: &mut dyn Write) -> Res
 fn read(asked: &Arguments, setup: &mut Value, words: &Words) -> Result<bool, Problem> {
     let mut files = Vec::new();
     for path in &asked.files {
-        let source = file::program(path).or_else(|_| file::bytes(path))?;
-        let text = String::from_utf8_lossy(&source).into_owned();
-        files.push(ExportedFile { name: path.display().to_string(), text });
+        files.push(ExportedFile { name: path.display().to_string(), text: file::exported(path)? });
     }
     let request = ReadBackRequest { setup: Some(serde_json::from_value(setup.clone())?), files };
-    let back = app::read_back(request).map_err(|refused| file::wrong(refused.message))?;
+    let back = app::read_back(request).map_err(|refused| file::wrong_files(&asked.files, refused.message))?;
     if let Value::Object(members) = setup {
         members.insert("data".to_owned(), json!(back.machine.data));
     }

@@ -1,4 +1,5 @@
-//! Reading files, the encoding of a program, and which control it is for.
+//! Reading files, each in whatever encoding it is written, why one cannot be read or written, and which control a
+//! program is for.
 
 use clap::ValueEnum;
 use probewright_core::dialect::Dialect;
@@ -8,7 +9,7 @@ use probewright_core::machine::setup::Setup;
 use probewright_core::message::Message;
 use probewright_core::words::Words;
 use serde_json::Value;
-use std::io::{BufWriter, Read, Write};
+use std::io::{BufWriter, ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
 
 /// Control as named on the command line.
@@ -46,6 +47,39 @@ pub fn wrong_file(path: &Path, message: Message) -> Problem {
     Box::new(Told { path: Some(path.to_owned()), message })
 }
 
+/// What is wrong with several files together: the first of them is named.
+pub fn wrong_files(paths: &[PathBuf], message: Message) -> Problem {
+    paths.first().map_or_else(|| wrong(message.clone()), |path| wrong_file(path, message.clone()))
+}
+
+/// A file or folder that cannot be read: why, and what helps.
+pub fn unreadable(path: &Path, error: &std::io::Error) -> Problem {
+    wrong_file(path, told_by_system(error, false))
+}
+
+/// A file or folder that cannot be written: why, and what helps.
+pub fn unwritable(path: &Path, error: &std::io::Error) -> Problem {
+    wrong_file(path, told_by_system(error, true))
+}
+
+/// What the system says, which knows its own language only.
+fn told_by_system(error: &std::io::Error, writes: bool) -> Message {
+    let key = match (error.kind(), writes) {
+        (ErrorKind::NotFound | ErrorKind::NotADirectory, false) => "terminal-file-missing",
+        (ErrorKind::NotFound | ErrorKind::NotADirectory, true) => "terminal-file-no-folder",
+        (ErrorKind::PermissionDenied, false) => "terminal-file-denied",
+        (ErrorKind::PermissionDenied | ErrorKind::ReadOnlyFilesystem, true) => "terminal-file-protected",
+        (ErrorKind::IsADirectory, _) => "terminal-file-folder",
+        (ErrorKind::AlreadyExists, true) => "terminal-file-exists",
+        (ErrorKind::StorageFull | ErrorKind::QuotaExceeded, true) => "terminal-file-full",
+        (ErrorKind::FileTooLarge, false) => "terminal-file-line",
+        (_, false) => "terminal-file-unread",
+        (_, true) => "terminal-file-unwritten",
+    };
+    let number = error.raw_os_error().map_or_else(|| error.kind().to_string(), |number| number.to_string());
+    Message::new(key).text("number", number)
+}
+
 /// Tells a problem on standard error; where that is closed, nobody can be told.
 pub fn complain_about(problem: &Problem, words: &Words) {
     complain(&format!("{}: {}", words.key("terminal-error"), told(problem, words)));
@@ -58,7 +92,10 @@ pub fn told(problem: &Problem, words: &Words) -> String {
             let file = path.as_ref().map_or(String::new(), |path| format!("{}: ", path.display()));
             file + &words.text(message)
         }
-        None => problem.to_string(),
+        None => match problem.downcast_ref::<std::io::Error>() {
+            Some(error) => words.text(&told_by_system(error, true)), // files are named: this is the output
+            None => problem.to_string(),
+        },
     }
 }
 
@@ -76,7 +113,7 @@ fn limited(path: &Path, largest: u64) -> Result<Vec<u8>, Problem> {
     let mut source = Vec::new();
     std::fs::File::open(path)
         .and_then(|file| file.take(largest + 1).read_to_end(&mut source))
-        .map_err(|error| format!("{}: {error}", path.display()))?;
+        .map_err(|error| unreadable(path, &error))?;
     if source.len() as u64 > largest {
         return Err(wrong_file(path, Message::new("terminal-large").number("most", (largest >> 20) as f64)));
     }
@@ -87,7 +124,11 @@ fn limited(path: &Path, largest: u64) -> Result<Vec<u8>, Problem> {
 /// that stands for no character becomes the sign for that, except in UTF-8, where it stays.
 pub fn program(path: &Path) -> Result<Vec<u8>, Problem> {
     let ends = std::fs::metadata(path).is_ok_and(|file| file.is_file());
-    let source = limited(path, if ends { LARGEST_PROGRAM } else { LARGEST })?;
+    decoded(path, limited(path, if ends { LARGEST_PROGRAM } else { LARGEST })?)
+}
+
+/// Bytes of a text in UTF-8.
+fn decoded(path: &Path, source: Vec<u8>) -> Result<Vec<u8>, Problem> {
     let encoding = recognise(&source).map_err(|what| wrong_file(path, Message::new(what)))?;
     Ok(match table(encoding) {
         None => source,
@@ -118,7 +159,12 @@ pub fn write(path: &Path, texts: impl Iterator<Item = String>) -> Result<(), Pro
         }
         file.flush()
     });
-    Ok(written.map_err(|error| format!("{}: {error}", path.display()))?)
+    written.map_err(|error| unwritable(path, &error))
+}
+
+/// Makes a folder with those around it; the error names it.
+pub fn make_folder(folder: &Path) -> Result<(), Problem> {
+    std::fs::create_dir_all(folder).map_err(|error| unwritable(folder, &error))
 }
 
 /// Writes a document, with the sentence beside every key.
@@ -136,7 +182,7 @@ pub fn complain(line: &str) {
 pub fn below(folder: &Path) -> Result<Vec<PathBuf>, Problem> {
     let (mut folders, mut files) = (vec![folder.to_owned()], Vec::new());
     while let Some(folder) = folders.pop() {
-        let wrong = |error: std::io::Error| format!("{}: {error}", folder.display());
+        let wrong = |error: std::io::Error| unreadable(&folder, &error);
         for entry in std::fs::read_dir(&folder).map_err(wrong)? {
             let entry = entry.map_err(wrong)?;
             let kind = entry.file_type().map_err(wrong)?;
@@ -151,10 +197,18 @@ pub fn below(folder: &Path) -> Result<Vec<PathBuf>, Problem> {
     Ok(files)
 }
 
-/// Text of a file; the error names the file.
+/// Text of a file that is no program (a setup, a scenario, a protocol, a script), whatever it is written in. The error
+/// names the file.
 pub fn text(path: &Path) -> Result<String, Problem> {
-    let text = String::from_utf8(bytes(path)?).map_err(|_| wrong_file(path, Message::new("terminal-text")))?;
-    Ok(text.trim_start_matches('\u{feff}').to_owned())
+    let text = decoded(path, bytes(path)?)?;
+    Ok(String::from_utf8_lossy(&text).trim_start_matches('\u{feff}').to_owned())
+}
+
+/// Text of a file that a machine exported: an archive may have parts that are no text, the others are read.
+pub fn exported(path: &Path) -> Result<String, Problem> {
+    let source = limited(path, LARGEST)?;
+    let text = decoded(path, source.clone()).unwrap_or(source);
+    Ok(String::from_utf8_lossy(&text).into_owned())
 }
 
 /// The machine of a setup file. The error names the file, and the line and column in it; who reads JSON gets it as a
@@ -169,7 +223,8 @@ pub fn setup(path: &Path, as_json: bool, words: &Words, out: &mut dyn Write) -> 
         print_json(serde_json::json!({ "file": file, "refused": refused }), words, out)?;
         out.flush()?;
     }
-    Err(refusal(path, &refused, words).into())
+    let cure = if refused.position.is_some() { format!(" {}", words.key("terminal-file-cure")) } else { String::new() };
+    Err((refusal(path, &refused, words) + &cure).into())
 }
 
 /// Why a file is refused, behind its name and the place in it.

@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 pub fn write(files: &Files, folder: Option<&Path>, words: &Words, out: &mut dyn Write) -> Result<bool, Problem> {
     let mut all = true;
     if let Some(folder) = folder.filter(|_| files.iter().next().is_some()) {
-        std::fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
+        file::make_folder(folder)?;
     }
     for (name, lines) in files.iter() {
         let told = |key| Message::new(key).text("name", name).number("lines", lines.len() as f64);
@@ -30,7 +30,7 @@ pub fn write(files: &Files, folder: Option<&Path>, words: &Words, out: &mut dyn 
                 all = false;
                 file::complain(&said("terminal-log-exists"));
             }
-            Err(error) => return Err(format!("{}: {error}", path.display()).into()),
+            Err(error) => return Err(file::unwritable(&path, &error)),
         }
     }
     Ok(all)

@@ -49,13 +49,10 @@ pub fn machine(asked: &Arguments, words: &Words, out: &mut dyn Write) -> Result<
     let without = without.collect();
     let mut files = Vec::new();
     for path in &asked.files {
-        // an archive may have parts that are no text: the others are read
-        let source = file::program(path).or_else(|_| file::bytes(path))?;
-        let text = String::from_utf8_lossy(&source).into_owned();
-        files.push(ExportedFile { name: path.display().to_string(), text });
+        files.push(ExportedFile { name: path.display().to_string(), text: file::exported(path)? });
     }
     let view = machine_check(MachineCheckRequest { files, without, large: asked.ncu3, deflection: asked.deflection });
-    let view = view.map_err(|refused| file::wrong(refused.message))?;
+    let view = view.map_err(|refused| file::wrong_files(&asked.files, refused.message))?;
     if let Some(path) = &asked.changes {
         file::write(path, [view.changes.clone()].into_iter())?;
     }

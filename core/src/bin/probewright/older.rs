@@ -34,7 +34,8 @@ pub fn older(asked: &Arguments, words: &Words, out: &mut dyn Write) -> Result<Ex
     let given = asked.answers.iter().map(|text| pair(text)).collect::<Result<BTreeMap<_, _>, _>>()?;
     let answers = app::answers(&given).map_err(|refused| wrong(refused.message))?;
     let text = String::from_utf8_lossy(&file::program(&asked.file)?).into_owned();
-    let view = app::older(OlderRequest { text: text.into(), answers: given })?;
+    let view = app::older(OlderRequest { text: text.into(), answers: given });
+    let view = view.map_err(|refused| wrong_file(&asked.file, refused.message))?;
     if asked.json {
         file::print_json(json::document(&view), words, out)?;
     } else if asked.explain {

@@ -42,12 +42,7 @@ impl Named {
         if self.measured.is_empty() {
             return Ok(None);
         }
-        let read = |path: &PathBuf| {
-            file::bytes(path)?; // whether it can be read at all
-            let no_text = |_| file::wrong_file(path, Message::new("protocol-no-text"));
-            Ok(String::from_utf8_lossy(&file::program(path).map_err(no_text)?).into_owned())
-        };
-        let texts = self.measured.iter().map(read).collect::<Result<Vec<String>, Problem>>()?;
+        let texts = self.measured.iter().map(|path| file::text(path)).collect::<Result<Vec<String>, Problem>>()?;
         let mut columns = ProtocolColumns::default();
         for text in &self.columns {
             let wrong = || file::wrong(Message::new("terminal-column").text("text", printable(text)));

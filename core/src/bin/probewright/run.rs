@@ -88,7 +88,8 @@ pub fn run(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Result<
     let record = arguments.record.as_deref().map(record::File::of).transpose()?;
     let protocol = arguments.protocol.read()?;
     let text = Text::of(arguments)?;
-    let given = Given { program: arguments.program.clone(), values: values(&arguments.arg)? };
+    let file = arguments.file.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+    let given = Given { file, program: arguments.program.clone(), values: values(&arguments.arg)? };
     let (mode, target) = (arguments.mode(), arguments.target.unwrap_or_default());
     let limits = Limits { steps: arguments.max_blocks, strict: arguments.strict, mode, target, ..Limits::default() };
     let limits = if arguments.whole() { limits } else { limits.unrecorded() };
@@ -197,6 +198,8 @@ fn setup(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Result<Op
 /// What a run is given beside the text: which program of it is run, and values of its parameters.
 #[derive(Clone)]
 struct Given {
+    /// Name of the file.
+    file: String,
     program: Option<String>,
     values: BTreeMap<String, Value>,
 }
@@ -207,7 +210,7 @@ impl Given {
             Some(name) => session.of_program(name),
             None => session,
         };
-        session.with_arguments(self.values)
+        session.with_arguments(self.values).of_file(&self.file)
     }
 }
 

@@ -70,7 +70,7 @@ fn surface(path: &Path) -> Result<(SurfaceChoice, Vec<u8>), Problem> {
     if ending.eq_ignore_ascii_case("stl") {
         return Ok((SurfaceChoice::Stl, bytes));
     }
-    let (columns, greys) = greys(&bytes).map_err(|error| format!("{}: {error}", path.display()))?;
+    let (columns, greys) = greys(&bytes).map_err(|_| file::wrong_file(path, Message::new("terminal-picture")))?;
     Ok((SurfaceChoice::Picture(columns), greys))
 }
 

@@ -132,6 +132,9 @@ fn print(joined: &Joined, view: &SeriesView, words: &Words, out: &mut dyn Write)
     let count = |key: &'static str| Message::new(key).number("runs", f64::from(view.runs));
     let seed = count("series-runs").text("seed", view.seed.to_string()).number("finished", view.finished as f64);
     writeln!(out, "{}", words.text(&seed))?;
+    if let Some(more) = &view.more {
+        writeln!(out, "{}", words.text(more))?;
+    }
     for call in &view.calls {
         let place = place(joined, call.call);
         let cycle = call.call.cycle.unwrap_or_default();
@@ -143,7 +146,7 @@ fn print(joined: &Joined, view: &SeriesView, words: &Words, out: &mut dyn Write)
     for alarm in &view.alarms {
         let name = words.text(&Message::new("terminal-raised").text("alarm", &alarm.raised.code));
         let named = if alarm.raised.code.is_empty() { String::new() } else { format!("{name}: ") };
-        let share = words.text(&shared(alarm.count, alarm.share, alarm.error));
+        let share = words.text(&alarm.told);
         writeln!(out, "{share}: {named}{}", words.text(&alarm.raised.message))?;
     }
     if view.alarms.is_empty() && view.runs > 0 {
@@ -165,9 +168,7 @@ fn lines(call: &SeriesCall, words: &Words) -> Vec<String> {
         let message = spread("series-corrected", &one.spread, one.unit).text("target", target);
         lines.push(words.text(&message.number("count", one.spread.count as f64)));
     }
-    let share = |one: &SeriesShare| {
-        format!("{}: {}", words.text(&shared(one.count, one.share, one.error)), words.text(&one.words))
-    };
+    let share = |one: &SeriesShare| format!("{}: {}", words.text(&one.told), words.text(&one.words));
     lines.extend(call.verdicts.iter().map(share));
     if !call.uncorrected.is_empty() {
         lines.push(words.key("series-uncorrected"));
@@ -200,12 +201,6 @@ fn capability(figure: &SeriesFigure) -> Option<Message> {
     let [low, high] = capability.cpk_interval.map(round);
     let message = Message::new("series-capability").number("cp", round(capability.cp));
     Some(message.number("cpk", round(capability.cpk)).number("low", low).number("high", high))
-}
-
-/// In how many runs something happened.
-fn shared(count: usize, share: f64, error: f64) -> Message {
-    let message = Message::new("series-share").number("count", count as f64);
-    message.number("share", percent(share)).number("error", percent(error))
 }
 
 /// In percent, to the hundredth.

@@ -2,7 +2,7 @@
 //! while the pieces before are carried out. Where a later piece shows that lines need one another, what was done counts
 //! for nothing, and the program is held whole.
 
-use crate::file::Problem;
+use crate::file::{Problem, unreadable};
 use probewright_core::dialect::Dialect;
 use probewright_core::encoding::{Encoding, Recogniser};
 use probewright_core::run::Session;
@@ -79,7 +79,7 @@ impl Stream {
 
     /// The beginning of the program, and what gives a run of it the rest.
     pub fn begin(&self) -> Result<(Rc<Program>, impl FnOnce(Session) -> Session + 'static), Problem> {
-        let named = |error: Error| format!("{}: {error}", self.path.display());
+        let named = |error: Error| unreadable(&self.path, &error);
         let mut texts = Texts::of(&self.path).map_err(named)?;
         let first = texts.next().transpose().map_err(named)?.unwrap_or_default();
         let mut recogniser = Recogniser::default();
@@ -101,7 +101,7 @@ impl Stream {
         match come.why.take() {
             None => Ok(true),
             Some(Why::Whole) => Ok(false),
-            Some(Why::Failed(error)) => Err(format!("{}: {error}", self.path.display()).into()),
+            Some(Why::Failed(error)) => Err(unreadable(&self.path, &error)),
         }
     }
 
@@ -111,8 +111,8 @@ impl Stream {
         waiting.sort_unstable_by(|one, other| other.cmp(one));
         let mut found = BTreeMap::new();
         let (mut start, mut lines) = (0, 0);
-        for text in Texts::of(&self.path).map_err(|error| format!("{}: {error}", self.path.display()))? {
-            let text = text.map_err(|error| format!("{}: {error}", self.path.display()))?;
+        for text in Texts::of(&self.path).map_err(|error| unreadable(&self.path, &error))? {
+            let text = text.map_err(|error| unreadable(&self.path, &error))?;
             let end = start + text.len() as u32;
             let mut positions = None;
             while let Some(place) = waiting.pop_if(|place| *place < end || f64::from(end) >= self.size) {

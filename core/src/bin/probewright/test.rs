@@ -21,10 +21,24 @@ pub struct Arguments {
     json: bool,
 }
 
-/// A scenario that was carried out; else why not, as a line.
+/// A scenario that was carried out, else why not.
 struct Carried {
     path: PathBuf,
-    came: Result<ScenarioView, String>,
+    came: Result<ScenarioView, Why>,
+}
+
+/// Why a scenario was not carried out.
+struct Why {
+    /// As a line.
+    text: String,
+    /// Whether that names the place that is wrong.
+    placed: bool,
+}
+
+impl From<String> for Why {
+    fn from(text: String) -> Why {
+        Why { text, placed: false }
+    }
 }
 
 /// Carries out every scenario; 1 when a case does not come to what it must.
@@ -95,9 +109,12 @@ fn is_scenario(path: &Path) -> bool {
     name == "scenario.json" || name.ends_with(".scenario.json")
 }
 
-fn carried_out(path: &Path, words: &Words) -> Result<ScenarioView, String> {
+fn carried_out(path: &Path, words: &Words) -> Result<ScenarioView, Why> {
     let text = file::text(path).map_err(|problem| file::told(&problem, words))?;
-    let refused = |refused: json::Error| file::refusal(path, &json::positioned(refused, &text), words);
+    let refused = |refused: json::Error| {
+        let refused = json::positioned(refused, &text);
+        Why { text: file::refusal(path, &refused, words), placed: refused.position.is_some() }
+    };
     let scenario: Scenario = json::file(&text).map_err(refused)?;
     let beside = beside(path, &scenario).map_err(|problem| file::told(&problem, words))?;
     app::scenario(ScenarioRequest { scenario, beside: Some(beside) }).map_err(refused)
@@ -118,7 +135,8 @@ fn print(carried: &Carried, words: &Words, out: &mut dyn Write) -> std::io::Resu
     let view = match &carried.came {
         Ok(view) => view,
         Err(why) => {
-            return writeln!(out, "{}  {why}\n    {}", words.key("terminal-test-failed"), words.key("scenario-cure"));
+            writeln!(out, "{}  {}", words.key("terminal-test-failed"), why.text)?;
+            return if why.placed { writeln!(out, "    {}", words.key("scenario-cure")) } else { Ok(()) };
         }
     };
     for CaseView { id, differences, .. } in &view.cases {
@@ -137,7 +155,7 @@ fn document(Carried { path, came }: &Carried) -> serde_json::Value {
         Ok(ScenarioView { source, cases }) => {
             serde_json::json!({ "file": file, "source": source, "cases": json::document(cases) })
         }
-        Err(why) => serde_json::json!({ "file": file, "refused": why }),
+        Err(why) => serde_json::json!({ "file": file, "refused": why.text }),
     }
 }
 
@@ -166,7 +184,7 @@ fn junit(all: &[Carried], words: &Words) -> String {
                     case(id, &differences.iter().map(|one| words.text(one)).collect::<Vec<_>>());
                 }
             }
-            Err(why) => case(&suite, std::slice::from_ref(why)),
+            Err(why) => case(&suite, std::slice::from_ref(&why.text)),
         }
         text.push_str("  </testsuite>\n");
     }

@@ -3,7 +3,7 @@
 use super::{Block, Field, Kind, results};
 use crate::check::{Parsed, parse};
 use crate::dialect::Dialect;
-use crate::entry::{Element, Inputs, Typed};
+use crate::entry::{Element, Inputs, Typed, names};
 use crate::message::Message;
 use crate::program::of_control::is_of_control;
 use crate::range::Range;
@@ -22,8 +22,19 @@ pub fn preset(field: &Field, inputs: &Inputs) -> String {
     match field.kind {
         Kind::Result => results(inputs).first().map_or_else(String::new, |field| field.name.to_owned()),
         Kind::Side => side(inputs).to_owned(),
+        Kind::Limit => limit(field, inputs),
         _ => field.preset.to_owned(),
     }
+}
+
+/// Half of the tolerance that the call gives, as deviations count from its middle (B:2203-2211), else what the field
+/// has (mm); in the unit of the call.
+fn limit(field: &Field, inputs: &Inputs) -> String {
+    let given = [names::TUL, names::TLL].iter().any(|name| inputs.written.contains(name));
+    let both = inputs.any(names::TUL).zip(inputs.any(names::TLL)).filter(|_| given);
+    let half = both.map(|(upper, lower)| (upper - lower) / 2.0).filter(|half| *half > 0.0);
+    let Some(limit) = half.or_else(|| field.preset.parse().ok()) else { return field.preset.to_owned() };
+    format!("{}", (limit / inputs.units.factor() * 1e4).round() / 1e4)
 }
 
 /// What is entered, and of a file that is made anew its name where none is: a log of the same name would be deleted
