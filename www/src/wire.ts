@@ -2595,6 +2595,10 @@ export type ReadBack = {
   read: number,
   /** How many of them are another value than before. */
   changed: number,
+  /** Lines of definition files that the machine keeps: what it had, and the sizes of arrays that the files give. */
+  definitions: Array<string>,
+  /** Arrays whose size no datum counts and that is another one than is delivered; absent: none. */
+  sizes?: Message,
   /** In words. */
   ending: Message,
 };

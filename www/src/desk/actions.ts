@@ -166,8 +166,8 @@ export interface Actions {
   write(cycle: string, values: Record<string, string>, text: string): void;
   error<G extends keyof ErrorSliders>(group: G, name: keyof ErrorSliders[G], value: number): void;
   begin(machine: OwnMachine["own"]): void;
-  /** What the machine is built for, and what differs from delivery in its data. */
-  data(machine: Pick<MachineView, "basic" | "data">): void;
+  /** What the machine is built for, what differs in its data, and lines of its definition files; without: as before. */
+  data(machine: Pick<MachineView, "basic" | "data">, definitions?: string[]): void;
   /** The machine gets what it lacks. */
   give(offer: Offer): void;
   noErrors(): void;
@@ -684,16 +684,17 @@ export function createActions(store: Store, catalogue: Catalogue, core: () => Pr
         view: { step: AT_END },
       });
     },
-    data({ basic, data }) {
+    data({ basic, data }, definitions) {
       const { control } = now().form;
       const { own } = now().machine;
       const setup = profile(now());
       const before = beginning(now());
       // rebuilt, it begins in the new system
       const units = basic === (before.basic ?? "mm") ? before.units : unitsIn(control, before.units, basic);
+      const defined = definitions && { definitions };
       const described: Patch["machine"] = setup
-        ? used(now(), { ...setup, units: basic, active: { ...setup.active, units }, data })
-        : { own: { ...own, [control]: { own: { ...ownMachine(now()), basic, units, data } } } };
+        ? used(now(), { ...setup, units: basic, active: { ...setup.active, units }, data, ...defined })
+        : { own: { ...own, [control]: { own: { ...ownMachine(now()), basic, units, data, ...defined } } } };
       store.update({ machine: described }, asBegun(now()), { view: { step: AT_END } });
     },
     give(offer) {
