@@ -173,6 +173,7 @@ describe("before NC start", () => {
     await page.locator("[data-function=set_edge]").click();
     await page.locator(".jog-help summary").click();
     await page.locator(".jog-help li").getByText("in front of the edge").waitFor();
+    await page.locator(".jog-help li").getByText("Measure workpiece > Edge > Set edge").waitFor();
     assert.deepEqual([...(await faults(page)), ...(await small(page))], []);
     await page.locator(".jog-help summary").click();
     await field(page, "zo").selectOption("G54");

@@ -5,6 +5,7 @@ import type { ProgramCore } from "../core/program";
 import { type Actions, variantOf } from "../desk/actions";
 import type { Derived } from "../desk/derive";
 import { el, on, setText, show } from "../dom";
+import { glossed } from "../glossary";
 import { meantBy } from "../keys";
 import type { State } from "../state/state";
 import type { Store } from "../state/store";
@@ -82,11 +83,11 @@ export function createHelp(
   };
 }
 
-/** A text with the names of data in it marked as such. */
-function marked(text: string): (string | HTMLElement)[] {
+/** A text with the names of data in it marked as such, and terms that are not `seen` yet. */
+function marked(text: string, seen: Set<string>): (string | HTMLElement)[] {
   return text
     .split(/([_$][A-Z][A-Z0-9_]*(?:\[[^\]]*\])?)/)
-    .map((part, index) => (index % 2 ? el("code", {}, part) : part));
+    .flatMap((part, index) => (index % 2 ? [el("code", {}, part)] : glossed(part, seen)));
 }
 
 /**
@@ -94,6 +95,7 @@ function marked(text: string): (string | HTMLElement)[] {
  * alarms at the end.
  */
 function fill({ sections, required, results, alarms, places }: HelpView, goTo: (name: string) => void): HTMLElement[] {
+  const seen = new Set<string>();
   const parts = sections.map(({ label, lines }) =>
     el(
       "section",
@@ -102,7 +104,9 @@ function fill({ sections, required, results, alarms, places }: HelpView, goTo: (
       el(
         "ul",
         {},
-        ...lines.map(({ message, source }) => el("li", {}, ...marked(say(message)), " ", el("small", {}, source))),
+        ...lines.map(({ message, source }) =>
+          el("li", {}, ...marked(say(message), seen), " ", el("small", {}, source)),
+        ),
       ),
     ),
   );
@@ -133,7 +137,7 @@ function fill({ sections, required, results, alarms, places }: HelpView, goTo: (
     "details",
     { class: "help-folded" },
     el("summary", {}, t("where-title")),
-    ...places.map(({ message, source }) => el("p", {}, ...marked(say(message)), " ", el("small", {}, source))),
+    ...places.map(({ message, source }) => el("p", {}, ...marked(say(message), seen), " ", el("small", {}, source))),
   );
   return [
     ...parts.slice(0, 2),
