@@ -26,7 +26,7 @@ async function tabTo(page, selector) {
 const small = page =>
   page.evaluate(() =>
     [...document.querySelectorAll(".jog :is(button, select, summary, input:not([type=checkbox], [type=file]))")]
-      .filter(node => node.checkVisibility())
+      .filter(node => node.checkVisibility() && !node.matches(".gloss")) // a word in its line
       .filter(node => node.getBoundingClientRect().height < 24 || node.getBoundingClientRect().width < 24)
       .map(node => node.outerHTML.slice(0, 80)),
   );

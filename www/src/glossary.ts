@@ -81,8 +81,8 @@ export function glossed(text: string, seen: Set<string> = new Set()): (string | 
 }
 
 /** The same within a template, kept while the text stays. */
-export function glossPart(text: string): unknown {
-  return guard([text, hasTerms()], () => glossed(text));
+export function glossPart(text: string, seen?: Set<string>): unknown {
+  return guard([text, hasTerms()], () => glossed(text, seen));
 }
 
 function marked(word: string, key: string): HTMLElement {
