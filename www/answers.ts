@@ -11,7 +11,7 @@ const NAME = "answers:first";
 
 export interface FirstAnswers {
   cycle: CycleInfo;
-  catalogue: Catalogue; // of this cycle alone
+  catalogue: Catalogue; // of this cycle alone, without what is looked up
   form: FormView;
 }
 
@@ -23,7 +23,7 @@ export async function ask(core: string): Promise<FirstAnswers> {
   const cycle = firstCycle(catalogue);
   if (!cycle) throw new Error("the catalogue is empty");
   const form = JSON.parse(wasm.form(JSON.stringify({ ...firstQuestion(cycle), predict: true }))) as FormView;
-  return { cycle, catalogue: { ...catalogue, cycles: [cycle] }, form };
+  return { cycle, catalogue: { ...catalogue, cycles: [cycle], explained: [] }, form };
 }
 
 /** The module `answers:first`. */

@@ -19,6 +19,8 @@ const LATER_FILES = [
   "twin",
   "user-programs",
 ].map(name => `${name}.ftl`);
+// Names of what is explained: the search finds them, and texts mark terms; what they mean comes with the help.
+const NAME_OF_EXPLAINED = /^(concept|connection|term)-(?!group-|[a-z0-9-]+-(is|\d+) =)[a-z0-9-]+ =/;
 const GUIDE_LINE = /^guide-[a-z-]+-\d+ =/;
 const OF_CYCLE = /^cycle\d+\.ftl$/;
 const TERMINAL = "report.ftl"; // never shown in the page
@@ -29,6 +31,7 @@ type Part = "first" | "later" | "help";
 /** Where a message of the core belongs; help pages are long and read by few. `first`: the file of the first cycle. */
 function partOf(file: string, message: string, first: string): Part | null {
   if (file === TERMINAL) return null;
+  if (NAME_OF_EXPLAINED.test(message)) return "later";
   if (/^((jog-)?help|concept|term|commission|connection|compatibility|where|guide-group)-/.test(message)) return "help";
   if (GUIDE_LINE.test(message)) return "help";
   const later = LATER_FILES.includes(file) || (OF_CYCLE.test(file) && file !== first) || LATER_WORDS.test(message);

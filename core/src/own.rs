@@ -274,6 +274,9 @@ sentences! {
     OLDER_FACTOR 216 Note "older-factor" "";
     OLDER_MISSING 217 Note "older-missing" "older-missing-hint";
     OLDER_CLASH 218 Warning "older-clash" "older-clash-hint";
+    NCT_LEVELS 222 Note "nct-levels" "nct-levels-hint";
+    NCT_MACRO_LEVELS 223 Error "nct-macro-levels" "nct-levels-deep-hint";
+    NCT_SUBPROGRAM_LEVELS 223 Error "nct-subprogram-levels" "nct-levels-deep-hint";
     NEWER_AWAY 230 Error "newer-away" "newer-away-hint";
     WRITE_ASSIGNED 231 Note "write-assigned" "write-assigned-hint";
 }

@@ -45,6 +45,10 @@ describe("definition files", () => {
       wrong.map(({ id }) => id),
       [],
     );
+    // sizes of arrays stay with the machine, over a reload too
+    await read("GUD6.DEF", "DEF NCK BOOL _CBIT[17]\n");
+    await shown.getByText(/Sizes kept with the machine: _CBIT\[17\]/).waitFor();
+    assert.match(await shown.textContent(), /DEF NCK BOOL _CBIT\[17\]/);
     await read("x.txt", "G0 X1\n");
     await shown.getByRole("alert").filter({ hasText: /./ }).waitFor();
     // what a newer control exported makes the machine one of those, and has lines of its own

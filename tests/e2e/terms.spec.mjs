@@ -68,6 +68,55 @@ describe("concepts, terms and commissioning", () => {
     await context.close();
   });
 
+  // oracle: hand (the words are those of the glossary)
+  test("a term within a text is explained under the pointer and at the focus", async () => {
+    const { context, page, problems } = await start(chrome, { bypassCSP: true });
+    await command(page, "Concepts and terms");
+    const concept = page.locator("#concept-mean-value");
+    await concept.locator("summary").click();
+    const term = concept.locator(".gloss").first();
+    const tip = page.getByRole("tooltip");
+    await term.hover();
+    await tip.waitFor();
+    const named = await tip.locator("strong").textContent();
+    assert.ok((await tip.locator("span").textContent()).length > 40, named);
+    await accessible(page, "dialog[open]");
+    await page.keyboard.press("Escape");
+    await tip.waitFor({ state: "hidden" });
+    await page.locator("dialog[open]").waitFor(); // the dialog stays
+    await page.mouse.move(0, 0);
+    await term.focus();
+    await tip.getByText(named, { exact: true }).waitFor();
+    assert.equal(await term.getAttribute("aria-describedby"), await tip.getAttribute("id"));
+    await page.keyboard.press("Tab");
+    assert.notEqual(await term.getAttribute("aria-describedby"), "gloss-tip");
+    await page.locator("#terms-search").focus();
+    await page.keyboard.press("Escape");
+    await page.keyboard.press("Escape");
+    await counts(page.locator("dialog[open]"), 0);
+    // beside a field, in its strip
+    await page.locator(".fields input[id$='_NMSP']").first().focus();
+    await page.locator(".explain .gloss").first().hover();
+    await tip.waitFor();
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
+  // oracle: manual B:12816-12823
+  test("a connection and a term are found by the search and shown", async () => {
+    const { context, page, problems } = await start(chrome, { bypassCSP: true });
+    await find(page, "DBX107");
+    await page.getByRole("option", { name: /DBX107\.1/ }).click();
+    await page.waitForFunction(() => document.activeElement?.id === "connection-plc-2");
+    await page.keyboard.press("Escape");
+    await counts(page.locator("dialog[open]"), 0);
+    await find(page, "mono probe");
+    await page.getByRole("option", { name: "Mono probe", exact: true }).first().click();
+    await page.waitForFunction(() => document.activeElement?.closest("[id$=mono-probe]"));
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
   // oracle: manual A:13964-13968
   test("versions that work together stand in a table", async () => {
     const { context, page, problems } = await start(chrome, { bypassCSP: true });

@@ -8,10 +8,13 @@ import { t } from "./texts";
 
 const ASKED = "probewright-guide";
 
-/** `key`: stem of its messages. */
+/** `key`: stem of the messages of a guide, or the name of a concept, a term, a connection. */
 export function openGuide(key: string): void {
   document.dispatchEvent(new CustomEvent(ASKED, { detail: key }));
 }
+
+/** Whether what is found of this kind is shown by `openGuide`. */
+export const isExplained = (kind: string): boolean => ["guide", "connection", "concept", "term"].includes(kind);
 
 /** A question mark that leads to the guide with this id. */
 export function guideButton(id: string): HTMLButtonElement {

@@ -406,6 +406,8 @@ export type Catalogue = {
   around: Array<AroundInfo>,
   /** Guides by id, as links name them: keys `guide-…` of their titles, and with `-words` by what they are found. */
   guides: Array<string>,
+  /** Concepts, terms and connections, which can be looked up. */
+  explained: Array<ExplainedInfo>,
 };
 
 /** A text for a field. */
@@ -1242,6 +1244,19 @@ export type ExpectedCall = {
   /** Its results. */
   results: { [key in string]: number },
 };
+
+/** Something that is explained: where the manuals take it for granted, or a connection of a probe. */
+export type ExplainedInfo = {
+  /** What it is. */
+  kind: ExplainedKind,
+  /** Plug, pin or address of a connection; else empty. */
+  code: string,
+  /** Key of its name: `concept-…`, `term-…`, `connection-…`. */
+  key: string,
+};
+
+/** What is explained. */
+export type ExplainedKind = "concept" | "term" | "connection";
 
 /** A file that the control exported. */
 export type ExportedFile = {
@@ -2580,6 +2595,10 @@ export type ReadBack = {
   read: number,
   /** How many of them are another value than before. */
   changed: number,
+  /** Lines of definition files that the machine keeps: what it had, and the sizes of arrays that the files give. */
+  definitions: Array<string>,
+  /** Arrays whose size no datum counts and that is another one than is delivered; absent: none. */
+  sizes?: Message,
   /** In words. */
   ending: Message,
 };
@@ -3525,7 +3544,7 @@ export type Setup = {
    * What differs from delivery in user data, R parameters, machine data, # variables: `_WP[0,1]`, `_CHBIT[4]`,
    * `R10`, `MD18600`, `#500`; `PW-FORMS`, 1 where `_MZ_MASK` decides forms and
    * code; `PW-JOG`, 1 where measuring in JOG has the masks up to SW 6.2; `PW-GENERATION`, 1 to 3, the generation of
-   * the control.
+   * the control; `PW-MACRO-LEVELS` and `PW-SUBPROGRAM-LEVELS`, how many an NCT control has.
    */
   data: { [key in string]: Datum },
   /**

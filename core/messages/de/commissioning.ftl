@@ -368,6 +368,7 @@ connection-nct-3-is = Werkstückmesstaster über die passende Schnittstellenelek
 
 # Welche Versionen zusammenarbeiten.
 report-compatibility = Versionen, die zusammenarbeiten
+report-compatibility-here = diese Maschine
 compatibility-component = Komponente
 compatibility-version = Softwarestand
 compatibility-cycles-54 = Zyklen SW 5.3/5.4

@@ -76,6 +76,7 @@ definitions-read = { $read ->
     [one] Ein Wert gelesen
    *[other] { $read } Werte gelesen
   }, { $changed } geändert, { $problems } nicht angenommen.
+definitions-sizes = Größen, die mit der Maschine gespeichert sind: { $names }.
 definitions-read-newer = { $read ->
     [one] Ein Wert gelesen
    *[other] { $read } Werte gelesen

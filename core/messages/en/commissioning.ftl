@@ -368,6 +368,7 @@ connection-nct-3-is = Connect the stylus to the control through the appropriate 
 
 # Which versions work together.
 report-compatibility = Versions that work together
+report-compatibility-here = this machine
 compatibility-component = Component
 compatibility-version = Software
 compatibility-cycles-54 = Cycles SW 5.3/5.4

@@ -76,6 +76,7 @@ definitions-read = { $read ->
     [one] One value read
    *[other] { $read } values read
   }, { $changed } changed, { $problems } not accepted.
+definitions-sizes = Sizes kept with the machine: { $names }.
 definitions-read-newer = { $read ->
     [one] One value read
    *[other] { $read } values read

@@ -368,6 +368,7 @@ connection-nct-3-is = 测针经相应的接口电路接到控制系统。手册�
 
 # 哪些版本可以配合使用。
 report-compatibility = 可配合使用的版本
+report-compatibility-here = 本机床
 compatibility-component = 组件
 compatibility-version = 软件
 compatibility-cycles-54 = 循环 SW 5.3/5.4

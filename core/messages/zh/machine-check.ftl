@@ -70,6 +70,7 @@ definitions-save = 请先保存 NC 中有效的用户数据：激活定义文件
 definitions-older = 测量循环 6.02.16 及以下版本，GUD7_MC.DEF 的行属于 GUD7.DEF。
 definitions-program = 然后装载 { $name }，在进行测量的通道（{ $channels } 个）中以自动方式各运行一次：许多数据属于通道。之后校准测头。
 definitions-read = 读入 { $read } 个数值，其中 { $changed } 个有改动，{ $problems } 个未被接受。
+definitions-sizes = 随机床保存的数组大小：{ $names }。
 definitions-read-newer = 读取了 { $read } 个值，更改 { $changed } 个，未接受 { $problems } 个。这些是设定数据：机床现为第 3 代（PW-GENERATION）。840D sl 2.5 和 2.6 以及 828D 4.3 及以下请选 2。
 definitions-settings = 将这些行作为调试文件读入，或把数值输入机床数据和设定数据；CHANDATA(1) 之后的行用于进行测量的通道（{ $channels } 个）。之后校准测头。
 definitions-channels = 控制系统有 1 至 { $most } 个通道。

@@ -7,7 +7,8 @@ use crate::diagnostic::Code;
 use crate::dialect::Dialect;
 use crate::entry::{Aim, Cycle, Param, ProbeUse, ResultField, Style, Typed, Unit};
 use crate::manual::Cited;
-use crate::manual::explained::GUIDES;
+use crate::manual::commissioning::{CONNECTIONS, Connection};
+use crate::manual::explained::{CONCEPTS, Concept, GUIDES, TERMS, Term};
 use crate::name::Name;
 use crate::program::around::{Block, blocks};
 use crate::workpiece::free::EXAMPLES;
@@ -30,6 +31,33 @@ pub struct Catalogue {
     pub around: Vec<AroundInfo>,
     /// Guides by id, as links name them: keys `guide-…` of their titles, and with `-words` by what they are found.
     pub guides: Vec<&'static str>,
+    /// Concepts, terms and connections, which can be looked up.
+    pub explained: Vec<ExplainedInfo>,
+}
+
+/// Something that is explained: where the manuals take it for granted, or a connection of a probe.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct ExplainedInfo {
+    /// What it is.
+    pub kind: ExplainedKind,
+    /// Plug, pin or address of a connection; else empty.
+    pub code: &'static str,
+    /// Key of its name: `concept-…`, `term-…`, `connection-…`.
+    pub key: String,
+}
+
+/// What is explained.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub enum ExplainedKind {
+    /// A concept, with a page of its own.
+    Concept,
+    /// A term, with its definition.
+    Term,
+    /// A connection of a probe.
+    Connection,
 }
 
 /// A block that can stand around a call.
@@ -151,7 +179,17 @@ pub fn catalogue() -> Catalogue {
     };
     let around = [Dialect::Sinumerik, Dialect::Nct].into_iter().flat_map(of).collect();
     let cycles = CYCLES.iter().map(|cycle| entry(cycle)).collect();
-    Catalogue { cycles, applicate, practises, around, guides: GUIDES.iter().map(|guide| guide.id).collect() }
+    let guides = GUIDES.iter().map(|guide| guide.id).collect();
+    Catalogue { cycles, applicate, practises, around, guides, explained: explained() }
+}
+
+fn explained() -> Vec<ExplainedInfo> {
+    let info = |kind, code, key| ExplainedInfo { kind, code, key };
+    let concept = |one: &Concept| info(ExplainedKind::Concept, "", format!("concept-{}", one.id));
+    let term = |one: &Term| info(ExplainedKind::Term, "", format!("term-{}", one.id));
+    let connection = |one: &Connection| info(ExplainedKind::Connection, one.signal, format!("connection-{}", one.id));
+    let explained = CONCEPTS.iter().map(concept).chain(TERMS.iter().map(term));
+    explained.chain(CONNECTIONS.iter().map(connection)).collect()
 }
 
 fn entry(cycle: &'static Cycle) -> CycleInfo {

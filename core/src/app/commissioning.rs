@@ -3,6 +3,7 @@
 use super::start::Machine;
 use super::{Error, start};
 use crate::catalogue::sinumerik::state::software;
+use crate::control::Control;
 use crate::dialect::Dialect;
 use crate::manual::Cited;
 use crate::manual::commissioning::{CONNECTIONS, Connection, FUNCTIONS, SOFTWARE, STEPS, Software, Step};
@@ -118,16 +119,21 @@ pub struct CompatibilityRow {
 /// A machine that cannot be.
 pub fn compatibility(asked: CompatibilityRequest) -> Result<CompatibilityView, Error> {
     let setup = asked.setup.map(|machine| start::start(Dialect::Sinumerik, Some(machine))).transpose()?;
-    let digit = setup.map(|start| software(&start.setup.control) as u32).filter(|digit| *digit > 0);
+    Ok(compatibility_on(setup.as_ref().map(|start| &start.setup.control)))
+}
+
+/// Which versions work together, held against this control.
+pub fn compatibility_on(control: Option<&Control>) -> CompatibilityView {
+    let digit = control.map(|control| software(control) as u32).filter(|digit| *digit > 0);
     let told = match digit {
         Some(digit) => Message::new("compatibility-here").text("name", OF_CONTROL).number("version", f64::from(digit)),
         None => Message::new("compatibility-unknown").text("name", OF_CONTROL),
     };
-    Ok(CompatibilityView {
+    CompatibilityView {
         functions: FUNCTIONS.map(|one| Message::new(format!("compatibility-{one}"))).to_vec(),
         rows: SOFTWARE.iter().map(|one| row(one, digit)).collect(),
         told,
-    })
+    }
 }
 
 /// Only the NCU has the software that the datum names: those of a CCU and of a panel

@@ -14,11 +14,15 @@ use crate::dialect::Dialect;
 use crate::entry::Typed;
 use crate::manual::Cited;
 use crate::message::Message;
-use crate::program::write::definition_files::{CALIBRATED, FILES, bytes, is_sized, lines, size, values};
+use crate::program::write::definition_files::{
+    CALIBRATED, FILES, bytes, counter, is_sized, lines, size, sized, values,
+};
 use crate::program::write::setting_data;
 use crate::refused::Path;
+use crate::syntax::definitions::definitions as definitions_of;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
+use std::sync::Arc;
 
 /// A machine, and how many channels measure on it.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
@@ -153,7 +157,10 @@ fn notes(files: &[DefinitionsText], channels: u32) -> Vec<Message> {
 
 /// The arrays whose size is chosen, in the order of the files.
 fn memory(control: &Control, delivered: &Control, jog: bool) -> Vec<MemoryShare> {
-    let wanted = |gud: &&Gud| is_sized(gud) && (jog || gud.block != Block::Gud7);
+    let wanted = |gud: &&Gud| {
+        let own = is_sized(gud) || gud.of_machine() && size(control, gud) != size(delivered, gud);
+        own && bytes(gud.kind) > 0 && (jog || gud.block != Block::Gud7)
+    };
     let share = |gud: &Gud| {
         let sizes = size(control, gud);
         let index: Vec<String> = sizes.iter().map(usize::to_string).collect();
@@ -211,6 +218,12 @@ pub struct ReadBack {
     pub read: usize,
     /// How many of them are another value than before.
     pub changed: usize,
+    /// Lines of definition files that the machine keeps: what it had, and the sizes of arrays that the files give.
+    pub definitions: Vec<String>,
+    /// Arrays whose size no datum counts and that is another one than is delivered; absent: none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional))]
+    pub sizes: Option<Message>,
     /// In words.
     pub ending: Message,
 }
@@ -230,9 +243,11 @@ pub fn read_back(asked: ReadBackRequest) -> Result<ReadBack, Error> {
     let of_first = of_first.filter_map(|(name, _)| Some((name, given.get(name, 1)?)));
     let own = of_first.filter(|(name, one)| !later(name, one));
     let mut typed: Typed = own.map(|(name, one)| (name.clone(), text(&one.value))).collect();
+    typed.extend(counts(&given, &typed));
     let before = with_values(asked.setup.clone(), &[])?;
     let is_newer = typed.keys().any(|name| data::find(stem(name)).is_some());
-    let was_newer = start(Dialect::Sinumerik, asked.setup.clone())?.setup.control.has_setting_data();
+    let mut control = start(Dialect::Sinumerik, asked.setup.clone())?.setup.control;
+    let was_newer = control.has_setting_data();
     let becomes_newer = is_newer && !was_newer;
     if becomes_newer {
         typed.insert(GENERATION.to_owned(), GENERATION_OF_SETTINGS.to_owned());
@@ -243,11 +258,15 @@ pub fn read_back(asked: ReadBackRequest) -> Result<ReadBack, Error> {
         times.push(typed.clone());
     }
     let machine = with_values(asked.setup, &times)?;
+    for (name, value) in &machine.data {
+        control.data.insert(name.clone(), value.clone());
+    }
+    let (definitions, sizes) = kept(&given, &control);
     let there: BTreeSet<&str> =
         machine.groups.iter().flat_map(|group| &group.fields).map(|field| field.setting.name.as_str()).collect();
     let of_files = || typed.keys().filter(|name| !becomes_newer || *name != GENERATION);
     let read = of_files().filter(|name| there.contains(name.as_str())).count();
-    if read == 0 {
+    if read == 0 && given.sizes.is_empty() {
         return Err(Error::new("machine-check-nothing", Path::default()));
     }
     let changed = of_files().filter(|name| before.data.get(*name) != machine.data.get(*name)).count();
@@ -255,7 +274,43 @@ pub fn read_back(asked: ReadBackRequest) -> Result<ReadBack, Error> {
         .number("read", read as f64)
         .number("changed", changed as f64)
         .number("problems", machine.problems.len() as f64);
-    Ok(ReadBack { read, changed, ending, machine })
+    Ok(ReadBack { read, changed, definitions, sizes, ending, machine })
+}
+
+/// The data that count the fields of arrays, where only the sizes of these are given: `_EV[40]` is `_EVMVNUM[0]` = 40.
+fn counts(given: &Exported, typed: &Typed) -> Typed {
+    let of_array = |(name, (sizes, _)): (&String, &(Vec<usize>, _))| {
+        let counter = counter(gud::find(name)?).filter(|counter| !typed.contains_key(*counter))?;
+        Some((counter.to_owned(), sizes.first()?.to_string()))
+    };
+    given.sizes.iter().filter_map(of_array).collect()
+}
+
+/// The lines of a machine with the sizes of arrays that files give, and the arrays that these are, in words. A size
+/// that the machine has anyway needs no line.
+fn kept(given: &Exported, control: &Control) -> (Vec<String>, Option<Message>) {
+    let of_cycles = |line: &str| {
+        let found = definitions_of(line.as_bytes()).definitions;
+        let own = found.data.is_empty() && found.macros.is_empty() && !found.sizes.is_empty();
+        own && found.sizes.keys().all(|name| given.sizes.contains_key(name))
+    };
+    let mut lines: Vec<String> = control.definitions.lines.iter().filter(|line| !of_cycles(line)).cloned().collect();
+    let mut without = control.clone();
+    Arc::make_mut(&mut without.definitions).sizes.retain(|name, _| !given.sizes.contains_key(name));
+    let mut names = Vec::new();
+    for (name, (sizes, _)) in &given.sizes {
+        let Some(gud) = gud::find(name).filter(|gud| gud.sizes.len() == sizes.len() && bytes(gud.kind) > 0) else {
+            continue;
+        };
+        let counted = usize::from(counter(gud).is_some());
+        if size(&without, gud).iter().zip(sizes).skip(counted).any(|(one, other)| one != other) {
+            let line = sized(gud, sizes);
+            names.extend(line.rsplit(' ').next().map(str::to_owned));
+            lines.push(line);
+        }
+    }
+    let told = (!names.is_empty()).then(|| Message::new("definitions-sizes").text("names", names.join(", ")));
+    (lines, told)
 }
 
 /// A value as it is typed.
@@ -319,6 +374,48 @@ mod tests {
         assert_eq!(back.changed, before.len());
         let nothing = ExportedFile { name: "x".to_owned(), text: "G0 X1".to_owned() };
         assert!(read_back(ReadBackRequest { setup: None, files: vec![nothing] }).is_err());
+    }
+
+    /// The machine that reads these lines, and what it writes then.
+    fn read_and_written(text: &str, had: serde_json::Value) -> (ReadBack, Vec<String>) {
+        let setup = || Some(serde_json::from_value(json!({ "own": had })).unwrap());
+        let files = vec![ExportedFile { name: "GUD6.DEF".to_owned(), text: text.to_owned() }];
+        let back = read_back(ReadBackRequest { setup: setup(), files }).unwrap();
+        let own = json!({ "own": { "data": back.machine.data, "definitions": back.definitions } });
+        let setup = Some(serde_json::from_value(own).unwrap());
+        let view = definitions(DefinitionsRequest { setup, ..DefinitionsRequest::default() }).unwrap();
+        let lines = view.files.iter().filter(|file| file.name != PROGRAM).flat_map(|file| file.text.lines());
+        let lines = lines.map(str::to_owned).collect();
+        (back, lines)
+    }
+
+    // oracle: self (the size that a file has is that which is written again); manual B:2316-2321 (_EVMVNUM counts _EV)
+    #[test]
+    fn sizes_of_arrays_are_kept_and_written_again() {
+        let (back, lines) = read_and_written("DEF NCK BOOL _CBIT[17]\nDEF CHAN REAL _EV[40]\n", json!({}));
+        assert_eq!(back.definitions, ["DEF NCK BOOL _CBIT[17]"]);
+        assert_eq!(back.machine.data["_EVMVNUM[0]"], Value::Number(40.0));
+        assert!(lines.iter().any(|line| line.starts_with("DEF NCK BOOL _CBIT[17]")), "{lines:?}");
+        assert!(lines.iter().any(|line| line == "DEF CHAN REAL _EV[40]"), "{lines:?}");
+        // fields are counted, the other dimension is that of the file
+        let (back, lines) = read_and_written("N12 DEF NCK REAL _WP[5,12]\n", json!({}));
+        assert_eq!(back.machine.data["_CVAL[1]"], Value::Number(5.0));
+        assert!(lines.iter().any(|line| line.starts_with("N12 DEF NCK REAL _WP[5,12]")), "{lines:?}");
+        let (back, lines) = read_and_written("N12 DEF NCK REAL _WP[5,11]\n", json!({}));
+        assert_eq!((back.definitions.len(), back.sizes), (0, None));
+        assert!(lines.iter().any(|line| line.starts_with("N12 DEF NCK REAL _WP[5,11]")), "{lines:?}");
+    }
+
+    // oracle: self
+    #[test]
+    fn a_size_that_is_read_again_takes_the_place_of_the_earlier_one() {
+        let had = json!({ "definitions": ["DEF NCK REAL LIMIT[2]", "DEF NCK BOOL _CBIT[17]"] });
+        let (back, lines) = read_and_written("DEF NCK BOOL _CBIT[16]\n", had.clone());
+        assert_eq!(back.definitions, ["DEF NCK REAL LIMIT[2]", "DEF NCK BOOL _CBIT[16]"]);
+        assert!(lines.iter().any(|line| line.starts_with("DEF NCK BOOL _CBIT[16]")), "{lines:?}");
+        let (back, lines) = read_and_written("DEF NCK BOOL _CBIT[30]\n", had);
+        assert_eq!(back.definitions, ["DEF NCK REAL LIMIT[2]"]);
+        assert!(lines.iter().all(|line| !line.contains("_CBIT")), "{lines:?}");
     }
 
     // oracle: self (what is written and read back is the machine that wrote it); peer (published tables: MD51600 counts

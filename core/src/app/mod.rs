@@ -61,7 +61,10 @@ pub use answer::{
 pub use around::{AroundAbsent, AroundBlock, AroundField, AroundRequest, AroundView, Wanted as AroundWanted, around};
 pub use beside::{Beside, FileStart};
 pub use braking::{BrakingPath, BrakingRequest, BrakingView, braking};
-pub use catalogue::{AroundInfo, Catalogue, CycleInfo, ParameterInfo, Purpose, Values, VariantInfo, catalogue};
+pub use catalogue::{
+    AroundInfo, Catalogue, CycleInfo, ExplainedInfo, ExplainedKind, ParameterInfo, Purpose, Values, VariantInfo,
+    catalogue,
+};
 pub use certainty::{
     CallCertainty, Certain, CertainChances, CertaintyRequest, CertaintyView, Contribution, WholeCertainty,
     WholeCertaintyRequest, certainty, certainty_of, whole_certainty,
@@ -69,7 +72,7 @@ pub use certainty::{
 pub use changes::Change;
 pub use commissioning::{
     CommissioningPath, CommissioningStep, CommissioningView, CompatibilityRequest, CompatibilityRow, CompatibilityView,
-    ConnectionView, commissioning, compatibility,
+    ConnectionView, commissioning, compatibility, compatibility_on,
 };
 pub use concept::{ConceptExample, ConceptPicture, ConceptRequest, concept_picture};
 pub use definitions::{
@@ -102,7 +105,9 @@ pub use practice::{
     PracticeView, PracticeWord, approach, as_mask, as_program, call_text, jog_program, practice_record, practise,
 };
 pub use predict::{ErrorLimit, ErrorSliders, PartSliders, ProbeSliders};
-pub use program::{Arrival, CallView, OtherCall, ProgramParameter, ProgramPlace, ReadRequest, ReadView, calls, read};
+pub use program::{
+    Arrival, CallView, OtherCall, ProgramParameter, ProgramPlace, ReadRequest, ReadView, calls, calls_on, read,
+};
 pub use program_text::ProgramText;
 pub use protocol::{Arrow, ProtocolColumns, ProtocolRequest, ProtocolView, UnfitLine, laid, protocol};
 pub use record::{
@@ -128,7 +133,7 @@ pub use trace::columns::{Columns, columns, others};
 pub use trace::{Trace, happened};
 pub use twin::{Shared, TwinView};
 pub use user_programs::{CYCLE, UserBranch, UserLabel, UserProgramsRequest, UserProgramsView, user_programs};
-pub use whereabouts::whereabouts;
+pub use whereabouts::{whereabouts, whereabouts_in_jog};
 pub use written::WrittenFile;
 
 use crate::control::{Control, UnitFunction};

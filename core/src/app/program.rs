@@ -190,8 +190,13 @@ pub fn read(asked: ReadRequest, told: &mut dyn FnMut(f64)) -> Result<ReadView, E
 
 /// The measuring calls of a program on a metric control as delivered.
 pub fn calls(program: &Program) -> ReadView {
+    calls_on(program, delivery(program.dialect))
+}
+
+/// The measuring calls of a program that starts on a control in this state.
+pub fn calls_on(program: &Program, control: Control) -> ReadView {
     let whole = Whole::new(program.dialect, ProgramText::default(), None);
-    view(program, &whole, delivery(program.dialect), &mut |_| {})
+    view(program, &whole, control, &mut |_| {})
 }
 
 /// Of the files beside it the calls are left out: each shows them where it is opened itself.

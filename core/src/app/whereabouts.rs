@@ -1,11 +1,12 @@
-//! Where a form is on the control: in its program editor, in JOG, and what the masks need.
+//! Where a form, or a mask of measuring in JOG, is on the control: its softkeys, its settings, and what the masks need.
 
 use super::help::HelpText;
 use crate::catalogue::in_jog::TABLE;
 use crate::catalogue::softkeys::{Softkeys, Way, softkeys};
 use crate::entry::Cycle;
-use crate::jog::mask::{Area, Function, key};
+use crate::jog::mask::{Area, Function, Mask, key};
 use crate::jog::masks::FUNCTIONS;
+use crate::jog::softkeys::{self, Software};
 use crate::manual::Cited;
 use crate::message::Message;
 
@@ -55,4 +56,24 @@ fn in_jog(cycle: &Cycle, variant: i64) -> Vec<Message> {
         }
     }
     found
+}
+
+/// Sentences about a mask of measuring in JOG, each with its place.
+pub fn whereabouts_in_jog(mask: &Mask) -> Vec<HelpText> {
+    let text = |message, source| HelpText { message, source: Cited(source) };
+    let mut told: Vec<HelpText> = Vec::new();
+    for one in softkeys::softkeys(mask) {
+        let (way, files) = match one.software {
+            Software::Newer => ("where-jog-newer", Some("where-jog-files")),
+            Software::Older => ("where-jog-older", Some("where-jog-files-older")),
+            Software::Both => ("where-jog-both", None),
+        };
+        told.push(text(Message::new(way).text("softkeys", one.softkeys), one.source));
+        told.push(text(Message::new("where-jog-needs"), "B:2656-2674;B:14686"));
+        let files = files.map_or(vec!["where-jog-files", "where-jog-files-older"], |files| vec![files]);
+        told.extend(files.into_iter().map(|files| text(Message::new(files), "B:14399-14412")));
+    }
+    let settings = if mask.task.of_tool() { "where-jog-settings-tool" } else { "where-jog-settings" };
+    told.push(text(Message::new(settings), "B:2690-2700;B:14254;B:14296"));
+    told
 }

@@ -100,6 +100,8 @@ pub struct Definitions {
     pub lines: Vec<String>,
     /// By name in upper case.
     pub data: BTreeMap<String, Definition>,
+    /// Sizes of arrays of the measuring cycles, which are on every control, as the lines have them.
+    pub sizes: BTreeMap<String, Vec<usize>>,
     /// The macros.
     pub macros: Arc<Macros>,
 }
@@ -114,6 +116,7 @@ impl Definitions {
     pub fn extend(&mut self, other: Definitions) {
         self.lines.extend(other.lines);
         self.data.extend(other.data);
+        self.sizes.extend(other.sizes);
         if !other.macros.is_empty() {
             let own = other.macros.iter().map(|(name, text)| (name.clone(), text.clone()));
             Arc::make_mut(&mut self.macros).extend(own);

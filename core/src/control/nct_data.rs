@@ -26,6 +26,14 @@ const fn calls(name: &'static str) -> NctDatum {
     datum(name, element("", "C:58").initial(100.0 + count as f64).between(0.0, 999.0))
 }
 
+/// Settings of ours: how many levels of macros and of subprograms the control has; 0: not told. The manual of the macros
+/// says what each needs (C:142-144), that of the control how many there are.
+pub const LEVELS: [&str; 2] = ["PW-MACRO-LEVELS", "PW-SUBPROGRAM-LEVELS"];
+
+const fn levels(name: &'static str) -> NctDatum {
+    datum(name, element("", "C:142-144").between(0.0, 99.0))
+}
+
 /// All of them. #510 holds the M function that turns the spindle by half a turn; 0 and 1: none does (C:74, C:156).
 pub static SUBJECTS: &[Subject<NctDatum>] = &[
     subject(
@@ -69,6 +77,7 @@ pub static SUBJECTS: &[Subject<NctDatum>] = &[
             calls("P9050"),
         ],
     ),
+    subject("nct-levels", &[levels(LEVELS[0]), levels(LEVELS[1])]),
     subject("nct-printing", &[datum("P9143", element("", "C:60").initial(1.0).between(0.0, 1.0).switch())]),
 ];
 
@@ -85,6 +94,9 @@ pub fn find(name: &str) -> Option<&'static NctDatum> {
 impl NctDatum {
     /// Key of its words.
     pub fn key(&self) -> String {
-        format!("datum-nct-{}", self.name.trim_start_matches(['#', 'P']))
+        match self.name.strip_prefix("PW-") {
+            Some(ours) => format!("datum-nct-{}", ours.to_ascii_lowercase()),
+            None => format!("datum-nct-{}", self.name.trim_start_matches(['#', 'P'])),
+        }
     }
 }

@@ -18,6 +18,7 @@ pub mod script;
 pub mod session;
 pub mod settings;
 pub mod shadow;
+pub mod softkeys;
 pub mod states;
 pub mod stylus;
 mod tools;

@@ -34,6 +34,17 @@ pub struct Connection {
     pub source: Cited,
 }
 
+impl Connection {
+    /// Whether its pin, plug or address has this name, or begins with it before its dot: `X121`, `DBX107.0`, `DBX107`.
+    pub fn is_at(&self, name: &str) -> bool {
+        let begins = |part: &str| {
+            let rest = part.get(..name.len()).filter(|begin| begin.eq_ignore_ascii_case(name));
+            rest.is_some() && part.get(name.len()..).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
+        };
+        !name.is_empty() && (self.signal.eq_ignore_ascii_case(name) || self.signal.split([' ', ',']).any(begins))
+    }
+}
+
 /// Software of a component: which versions of the measuring cycles work with it (A:13938-13996).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Software {
@@ -86,6 +97,18 @@ pub static CONNECTIONS: LazyLock<Vec<Connection>> = LazyLock::new(|| {
 mod tests {
     use super::*;
     use std::collections::BTreeSet;
+
+    // oracle: manual B:12697, B:12816-12823: plugs and the bits of the PLC by their names
+    #[test]
+    fn a_connection_is_found_by_its_name() {
+        let at = |name: &str| CONNECTIONS.iter().filter(|one| one.is_at(name)).map(|one| one.id).collect::<Vec<_>>();
+        assert_eq!(at("DBX107"), ["plc-1", "plc-2"]);
+        assert_eq!(at("dbx107.1"), ["plc-2"]);
+        assert_eq!(at("X10"), ["distributor-1"]);
+        assert_eq!(at("X121.9"), ["x121-9"]);
+        assert!(at("X121").contains(&"distributor") && at("X121").contains(&"x121-1"));
+        assert!(at("X1").is_empty() && at("").is_empty() && at("X").is_empty());
+    }
 
     // oracle: self: no row of a table is lost, each place of a manual is found
     #[test]

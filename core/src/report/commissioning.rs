@@ -2,9 +2,11 @@
 
 use super::markdown::{line, table};
 use crate::app::{
-    CommissioningPath, CommissioningStep, CommissioningView, CompatibilityRequest, CompatibilityRow, CompatibilityView,
-    ConnectionView, commissioning, compatibility,
+    CommissioningPath, CommissioningStep, CommissioningView, CompatibilityRow, CompatibilityView, ConnectionView,
+    commissioning, compatibility_on,
 };
+use crate::control::Control;
+use crate::manual::commissioning::CONNECTIONS;
 use crate::message::Message;
 use crate::words::Words;
 use std::fmt::Write;
@@ -29,7 +31,7 @@ pub fn page(words: &Words) -> String {
     table(&mut text, &title, columns, connections.into_iter().map(row), words);
     line(&mut text, &format!("## {}", words.key("report-compatibility")));
     let cells = |row: Vec<String>| format!("| {} |", row.join(" | "));
-    let mut rows = versions(words).into_iter().map(cells);
+    let mut rows = versions(&compatibility_on(None), words).into_iter().map(cells);
     let head = rows.next().unwrap_or_default();
     let rule = "| --- ".repeat(head.matches(" |").count()) + "|";
     line(&mut text, &[head, rule].into_iter().chain(rows).collect::<Vec<_>>().join("\n"));
@@ -53,29 +55,40 @@ fn said(step: &CommissioningStep, words: &Words) -> Vec<String> {
 }
 
 /// Which versions work together, a row a software, their head first.
-fn versions(words: &Words) -> Vec<Vec<String>> {
-    let Ok(CompatibilityView { functions, rows, .. }) = compatibility(CompatibilityRequest::default()) else {
-        return Vec::new();
-    };
+fn versions(view: &CompatibilityView, words: &Words) -> Vec<Vec<String>> {
     let heads = ["compatibility-component", "compatibility-version"].map(|key| words.key(key));
-    let head =
-        heads.into_iter().chain(functions.iter().map(|one| words.text(one))).chain([words.key("report-column-source")]);
+    let functions = view.functions.iter().map(|one| words.text(one));
+    let head = heads.into_iter().chain(functions).chain([words.key("report-column-source")]);
     let row = |row: &CompatibilityRow| {
         let named = [row.component.to_owned(), format!("SW {}", row.version)].into_iter();
         named.chain(row.works.iter().map(|one| words.text(one))).chain([row.source.to_string()]).collect()
     };
-    [head.collect()].into_iter().chain(rows.iter().map(row)).collect()
+    [head.collect()].into_iter().chain(view.rows.iter().map(row)).collect()
 }
 
-/// A software a line, each of its cells behind the name of its column.
-fn told(rows: &[Vec<String>]) -> String {
-    let [head, rows @ ..] = rows else { return String::new() };
+/// What a machine says of its software, then a software a line, each of its cells behind the name of its column.
+fn told(view: &CompatibilityView, words: &Words) -> String {
+    let table = versions(view, words);
+    let [head, rows @ ..] = &table[..] else { return String::new() };
     let cell = |(name, cell): (&String, &String)| format!("{name}: {cell}");
-    let line = |row: &Vec<String>| {
+    let line = |(row, of): (&Vec<String>, &CompatibilityRow)| {
         let cells: Vec<String> = head.iter().zip(row).skip(2).map(cell).collect();
-        format!("{}\n  {}\n", row.iter().take(2).cloned().collect::<Vec<_>>().join(" "), cells.join("; "))
+        let here = if of.here { format!(" ({})", words.key("report-compatibility-here")) } else { String::new() };
+        let named = row.iter().take(2).cloned().collect::<Vec<_>>().join(" ");
+        format!("{named}{here}\n  {}\n", cells.join("; "))
     };
-    rows.iter().map(line).collect()
+    let rows: String = rows.iter().zip(&view.rows).map(line).collect();
+    format!("{}\n\n{rows}", words.text(&view.told))
+}
+
+/// The connections at a plug, pin or address of this name; empty: none.
+pub fn connection(name: &str, words: &Words) -> String {
+    let at = CONNECTIONS.iter().zip(commissioning().connections).filter(|(one, _)| one.is_at(name));
+    at.map(|(_, one)| card(&one, words)).collect()
+}
+
+fn card(one: &ConnectionView, words: &Words) -> String {
+    format!("{} ({}): {} ({})\n", words.text(&one.title), one.signal, words.text(&one.meaning), one.source)
 }
 
 /// The ways with their names, as the terminal prints them.
@@ -86,20 +99,16 @@ pub fn ways(words: &Words) -> String {
     all.map(|(id, title)| format!("{id}: {}\n", words.text(&title))).collect()
 }
 
-/// The steps of a way by its name, `connections` all connections, `compatibility` which versions work together. Empty:
-/// there is none.
-pub fn steps(way: &str, words: &Words) -> String {
+/// The steps of a way by its name, `connections` all connections, `compatibility` which versions work together, held
+/// against this control. Empty: there is none.
+pub fn steps(way: &str, control: Option<&Control>, words: &Words) -> String {
     let CommissioningView { paths, connections } = commissioning();
     let mut text = String::new();
     if way.eq_ignore_ascii_case("connections") {
-        for one in connections {
-            let (title, meaning) = (words.text(&one.title), words.text(&one.meaning));
-            let _ = writeln!(text, "{} ({}): {meaning} ({})", title, one.signal, one.source);
-        }
-        return text;
+        return connections.iter().map(|one| card(one, words)).collect();
     }
     if way.eq_ignore_ascii_case("compatibility") {
-        return told(&versions(words));
+        return told(&compatibility_on(control), words);
     }
     let Some(CommissioningPath { title, steps, .. }) = paths.into_iter().find(|one| one.id.eq_ignore_ascii_case(way))
     else {
@@ -119,6 +128,8 @@ pub fn steps(way: &str, words: &Words) -> String {
 mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
+    use crate::control::{Value, delivery};
+    use crate::dialect::Dialect;
 
     // oracle: self
     #[test]
@@ -131,11 +142,33 @@ mod tests {
     fn each_way_has_steps() {
         let words = Words::of("en").unwrap();
         for way in commissioning().paths {
-            assert!(steps(way.id, &words).contains("[ ] "), "{}", way.id);
+            assert!(steps(way.id, None, &words).contains("[ ] "), "{}", way.id);
         }
-        assert!(ways(&words).lines().all(|way| !steps(way.split(':').next().unwrap(), &words).is_empty()));
-        assert!(steps("connections", &words).contains("X121"));
-        assert!(steps("compatibility", &words).contains("MMC100.2"));
-        assert_eq!(steps("nobody", &words), "");
+        assert!(ways(&words).lines().all(|way| !steps(way.split(':').next().unwrap(), None, &words).is_empty()));
+        assert!(steps("connections", None, &words).contains("X121"));
+        assert!(steps("compatibility", None, &words).contains("MMC100.2"));
+        assert_eq!(steps("nobody", None, &words), "");
+    }
+
+    // oracle: manual A:13964-13968: an NCU with software 6.x, or 5.3
+    #[test]
+    fn the_software_of_a_machine_is_marked() {
+        let words = Words::of("en").unwrap();
+        let mut control = delivery(Dialect::Sinumerik);
+        let here = |control: Option<&Control>| {
+            let text = steps("compatibility", control, &words);
+            text.lines().filter(|line| line.ends_with("(this machine)")).count()
+        };
+        assert_eq!((here(None), here(Some(&control))), (0, 3)); // it is delivered with 6
+        control.data.insert("_SI[1]".to_owned(), Value::Text("5".to_owned()));
+        assert_eq!(here(Some(&control)), 1);
+    }
+
+    // oracle: manual B:12816-12823
+    #[test]
+    fn a_connection_is_explained_by_its_address() {
+        let words = Words::of("en").unwrap();
+        assert_eq!(connection("DBX107", &words).lines().count(), 2);
+        assert_eq!(connection("X99", &words), "");
     }
 }

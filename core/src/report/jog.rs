@@ -1,6 +1,7 @@
 //! Measuring in JOG as a person reads it: in `docs/jog.md` every mask with its help, fields, results and alarms; in the
 //! terminal the help of one.
 
+use crate::app::{HelpText, whereabouts_in_jog};
 use crate::catalogue::alarms;
 use crate::control::OLDER_JOG;
 use crate::diagnostic::Code;
@@ -94,6 +95,8 @@ fn sections(mask: &'static Mask, words: &Words) -> Vec<(String, Vec<String>)> {
     if let Some((_, last)) = sections.last_mut() {
         last.push(said(words, "help-alarms", &[("names", codes.join(", "))]));
     }
+    let place = |one: &HelpText| format!("{} ({})", words.text(&one.message), one.source);
+    sections.push((words.key("where-title"), whereabouts_in_jog(mask).iter().map(place).collect()));
     sections
 }
 

@@ -58,7 +58,7 @@ pub struct SetupFile {
     /// What differs from delivery in user data, R parameters, machine data, # variables: `_WP[0,1]`, `_CHBIT[4]`,
     /// `R10`, `MD18600`, `#500`; `PW-FORMS`, 1 where `_MZ_MASK` decides forms and
     /// code; `PW-JOG`, 1 where measuring in JOG has the masks up to SW 6.2; `PW-GENERATION`, 1 to 3, the generation of
-    /// the control.
+    /// the control; `PW-MACRO-LEVELS` and `PW-SUBPROGRAM-LEVELS`, how many an NCT control has.
     #[serde(default)]
     data: BTreeMap<String, Value>,
     /// User data that the definition files of the machine add (GUD4.DEF, UGUD.DEF …), as they are written there:

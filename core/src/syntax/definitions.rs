@@ -120,9 +120,12 @@ impl Defined {
         }
     }
 
-    /// Adds a datum; one of the measuring cycles is on every control, with the values of the machine.
+    /// Adds a datum; one of the measuring cycles is on every control, with the values of the machine: of that its size.
     fn add(&mut self, name: String, datum: Definition, word: &Word) {
-        if gud::find(&name).is_some() {
+        if let Some(gud) = gud::find(&name) {
+            if !datum.sizes.is_empty() && datum.sizes.len() == gud.sizes.len() {
+                self.definitions.sizes.insert(name, datum.sizes);
+            }
             return;
         }
         match self.definitions.data.entry(name) {

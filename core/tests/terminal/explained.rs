@@ -184,3 +184,17 @@ fn guides_are_listed_and_their_lines_are_commands() {
     let word = out(&probewright(&["--lang", "de", "explain", "Messunsicherheit"]));
     assert!(word.starts_with("Wie sicher eine Messung ist\n"), "{word}");
 }
+
+// oracle: manual B:12816-12823 (bits of the probes), B:12697 (distributor), B:3260-3295 (softkeys), A:13966
+#[test]
+fn connections_and_softkeys_are_explained() {
+    let bits = out(&probewright(&["explain", "DBX107"]));
+    assert!(bits.contains("DB10 DBX107.0") && bits.contains("DB10 DBX107.1"), "{bits}");
+    assert!(out(&probewright(&["explain", "X121"])).contains("X121.9"), "all pins have their plug");
+    let mask = out(&probewright(&["explain", "hole_1"]));
+    assert!(mask.contains("Measure workpiece > Pocket/hole > 1 hole"), "{mask}");
+    let machine = include_str!("../../../docs/setup.example.json").replace("\"_CHBIT[4]\": 1", "\"_SI[1]\": \"6\"");
+    let machine = file("software.json", machine.as_bytes());
+    let versions = out(&probewright(&["commissioning", "compatibility", "--setup", &machine]));
+    assert!(versions.contains("NCU SW 6.3 (this machine)"), "{versions}");
+}

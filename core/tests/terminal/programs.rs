@@ -489,3 +489,49 @@ fn definition_files_are_read_and_written() {
     assert!(out(&probewright(&["check", &call, "--setup", &saved])).contains("PW197"));
     std::fs::remove_dir_all(&folder).unwrap();
 }
+
+/// A setup file of an NCT mill on which G120 calls O9019.
+fn renumbered() -> String {
+    file("renumbered.json", br#"{ "control": "nct", "data": { "P9050": 120, "PW-MACRO-LEVELS": 3 }, "probe": { "radius": 3, "length": 50 } }"#)
+}
+
+// oracle: manual C:58 (parameter 9050 holds the number of the function that calls O9019)
+#[test]
+fn read_and_write_follow_the_functions_of_the_machine() {
+    let machine = renumbered();
+    let path = file("renumbered.nc", b"O0100\nM19\nT98\nG120 D50 S1\nM30\n");
+    let on_it = out(&probewright(&["read", &path, "--setup", &machine]));
+    assert!(on_it.contains("G110") && on_it.contains("D=50"), "{on_it}");
+    assert!(!out(&probewright(&["read", &path, "--control", "nct"])).contains("D=50"));
+    let json = out(&probewright(&["read", &path, "--setup", &machine, "--json"]));
+    let view: serde_json::Value = serde_json::from_str(&json).unwrap();
+    assert_eq!(view["calls"][0]["cycle"], "G110", "{json}");
+    for name in ["G110", "G120"] {
+        let written = out(&probewright(&["write", name, "D=50", "S=1", "--setup", &machine]));
+        assert!(written.contains("G120") && written.contains("D50"), "{written}");
+    }
+    let refused = probewright(&["write", "CYCLE977", "--setup", &machine]);
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(err(&refused).contains("CYCLE977"), "{}", err(&refused));
+}
+
+// oracle: manual C:1157 (2 levels of macros below G110)
+#[test]
+fn check_counts_the_levels_of_macros() {
+    let text = b"O0100\nG65 P200\nM30\nO0200\nM19\nG120 D50 S1\nM99\n";
+    let path = file("levels.nc", text);
+    let told = out(&probewright(&["check", &path, "--setup", &renumbered()]));
+    assert!(told.contains(":6:1: error[PW223]"), "{told}");
+}
+
+// oracle: manual B:2482-2508 (CYCLE198 runs before the measurement, at the label of the cycle)
+#[test]
+fn read_and_run_say_what_the_user_runs_around_a_call() {
+    let own = file("CYCLE198.SPF", b"PROC CYCLE198\n_M977:\nM8\nM17\n");
+    let path = file("around.mpf", HOLE.as_bytes());
+    for command in [&["read", &path, "--with", &own][..], &["run", &path, "--setup", &example_setup(), "--with", &own]]
+    {
+        let output = probewright(command);
+        assert!(out(&output).contains("CYCLE198 runs before this call, from _M977 (line 2)"), "{}", out(&output));
+    }
+}

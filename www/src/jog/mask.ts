@@ -3,6 +3,7 @@
 import { html, nothing, render, type TemplateResult } from "lit-html";
 import { live } from "lit-html/directives/live.js";
 import type { Practice } from "../desk/practice";
+import { glossPart } from "../glossary";
 import { iconPart } from "../icons";
 import { fixed, plain } from "../numbers";
 import type { JogState, State } from "../state/state";
@@ -149,12 +150,13 @@ function toDo(mask: PracticeMask, practice: Practice): TemplateResult {
       .finally(redraw);
   };
   const note = html`<p class="jog-quiet">${t(failed ? "help-absent" : "help-coming")}</p>`;
+  const seen = new Set<string>(); // a help marks each term once
   const sections = (): TemplateResult[] =>
     mask.help.map(
       ({ label, lines }) => html`
         <h4>${say(label)}</h4>
         <ul>
-          ${lines.map(({ message, source }) => html`<li>${say(message)} <small>${source}</small></li>`)}
+          ${lines.map(({ message, source }) => html`<li>${glossPart(say(message), seen)} <small>${source}</small></li>`)}
         </ul>
       `,
     );

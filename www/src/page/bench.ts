@@ -148,10 +148,10 @@ export function createBench(parts: Parts): Bench {
       const ofMachine = { setup: () => machineIn(store.state), take: actions.data };
       (await import("../views/definitions")).openDefinitions(has, ofMachine, stop.signal);
     });
-  const commissioning = (): void =>
+  const commissioning = (connection?: string): void =>
     withCore(async has => {
       const setup = shown ? machineTo(shown.state, shown.derived.view) : undefined;
-      (await import("../views/commissioning")).openCommissioning(has, store, setup, stop.signal);
+      (await import("../views/commissioning")).openCommissioning(has, store, setup, stop.signal, connection);
     });
   const go = (way: string): void => {
     const all = shown ? commands(shown.derived) : [];
@@ -160,7 +160,7 @@ export function createBench(parts: Parts): Bench {
   const explain = (page?: string): void =>
     withCore(async has => (await import("../views/terms")).openTerms(has, stop.signal, go, page));
   const terms = (concept?: string): void => explain(concept && `concept-${concept}`);
-  listenToGuides(explain, stop.signal);
+  listenToGuides(key => (key.startsWith("connection-") ? commissioning(key) : explain(key)), stop.signal);
   const asked = (): ProgramQuestion | null => {
     if (!shown) return null;
     const { state, derived } = shown;

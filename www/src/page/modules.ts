@@ -2,6 +2,7 @@
 
 import { type FormCore, firstCore } from "../core/core";
 import type { ProgramCore } from "../core/program";
+import { knowTerms } from "../glossary";
 import { allWords, laterWords } from "../texts";
 import type { AlarmInfo, Catalogue } from "../wire";
 
@@ -50,6 +51,10 @@ export function createModules(answers: () => void): Modules {
       fetching = null;
       throw problem;
     }));
+  const list = ({ cycles, explained }: Catalogue): void => {
+    Object.assign(catalogue, { cycles, explained });
+    knowTerms(explained.filter(({ kind }) => kind === "term").map(({ key }) => key));
+  };
   return {
     get forms() {
       return forms;
@@ -62,7 +67,7 @@ export function createModules(answers: () => void): Modules {
     bring,
     async full() {
       const part = await bring();
-      if (!listed) catalogue.cycles = part.catalogue().cycles;
+      if (!listed) list(part.catalogue());
       listed = true;
       came(part);
       return part;

@@ -1,13 +1,16 @@
 // Everything that can be looked up, out of the catalogue and the messages: cycles, variants, parameters, results,
-// alarms, guides.
+// alarms, guides, concepts, terms, connections.
 
 import type { Variant } from "../desk/variants";
 import { inEach, inEnglish, optional, t } from "../texts";
-import type { AlarmInfo, Catalogue, CycleInfo, Dialect } from "../wire";
+import type { AlarmInfo, Catalogue, CycleInfo, Dialect, ExplainedInfo, ExplainedKind } from "../wire";
 
-export type Kind = "measurement" | "around" | "parameter" | "result" | "alarm" | "guide";
+export type Kind = "measurement" | "around" | "parameter" | "result" | "alarm" | "guide" | ExplainedKind;
 /** In the order in which they are shown where they fit equally well. */
-export const KINDS: Kind[] = ["measurement", "around", "parameter", "result", "alarm", "guide"];
+export const KINDS: Kind[] = [
+  ...(["measurement", "around", "parameter", "result", "alarm", "guide"] as const),
+  ...(["connection", "concept", "term"] as const),
+];
 
 export interface Entry {
   id: number;
@@ -135,7 +138,21 @@ function guide(id: string): Found {
   };
 }
 
-export function entries({ cycles, around, guides }: Catalogue, alarms: readonly AlarmInfo[]): Entry[] {
+/** A concept, a term or a connection, by its name and, on the control, its plug or address. */
+const explanation = ({ kind, code, key }: ExplainedInfo): Found => ({
+  kind,
+  control: null,
+  code,
+  key,
+  title: t(key),
+  words: inEnglish(key),
+  names: inEach(key),
+  foreign: "",
+  cycles: [],
+  others: [],
+});
+
+export function entries({ cycles, around, guides, explained }: Catalogue, alarms: readonly AlarmInfo[]): Entry[] {
   const all = [
     ...cycles.flatMap(measurements),
     ...shared(cycles, ({ control, parameters }) =>
@@ -165,6 +182,7 @@ export function entries({ cycles, around, guides }: Catalogue, alarms: readonly 
     ...around.map(block),
     ...alarms.map(alarm => ofAlarm(cycles, alarm)),
     ...guides.map(guide),
+    ...explained.map(explanation),
   ];
   return all.map((one, id) => ({ ...one, id }));
 }

@@ -81,7 +81,10 @@ function ownMachines(value: unknown): State["machine"]["own"] {
     const one = plainObject(given[control]) ? given[control].own : null;
     const fits = plainObject(one) && PLANES.includes(one.plane as Plane) && known.includes(one.units as UnitFunction);
     const basic = plainObject(one) && one.basic === "inch" ? { basic: one.basic } : {};
-    return fits ? [[control, { own: { ...basic, plane: one.plane, units: one.units, data: data(one.data) } }]] : [];
+    if (!fits) return [];
+    const lines = Array.isArray(one.definitions) ? one.definitions.filter(line => typeof line === "string") : [];
+    const defined = lines.length ? { definitions: lines } : {};
+    return [[control, { own: { ...basic, plane: one.plane, units: one.units, data: data(one.data), ...defined } }]];
   });
   return Object.fromEntries(pairs) as State["machine"]["own"];
 }

@@ -53,7 +53,7 @@ function list({ steps }: CommissioningPath, done: Record<string, boolean>, turn:
 
 function cards(connections: ConnectionView[]): TemplateResult {
   const card = ({ signal, title, meaning, source }: ConnectionView): TemplateResult =>
-    html`<div class="term">
+    html`<div class="term" id=${title.key} tabindex="-1">
       <dt>${say(title)} <code>${signal}</code></dt>
       <dd>
         <p>${say(meaning)}</p>
@@ -89,12 +89,13 @@ function versions(view: CompatibilityView | { why: string }): TemplateResult {
     <small>${t("field-source", { source: view.rows[0]?.source ?? "" })}</small>`;
 }
 
-/** Opens the dialog; `setup`: the machine; none: that of the core. */
+/** Opens the dialog; `setup`: the machine; none: that of the core; `connection`: the one that is shown at first. */
 export async function openCommissioning(
   core: ProgramCore,
   store: Store,
   setup: Machine | undefined,
   end: AbortSignal,
+  connection?: string,
 ): Promise<void> {
   await helpWords();
   const { paths, connections } = core.commissioning();
@@ -142,6 +143,10 @@ export async function openCommissioning(
     store.update({ machine: { steps: Object.fromEntries(left) } });
     draw();
   });
+  if (connection) way.value = CONNECTIONS;
   draw();
   showPassing(dialog, closing, end, () => {});
+  const first = connection ? told.querySelector<HTMLElement>(`#${connection}`) : null;
+  first?.scrollIntoView({ block: "start" });
+  first?.focus();
 }

@@ -19,7 +19,7 @@ const LARGEST = 50 * 2 ** 20; // bytes
 /** Where the machine is, and where it goes when files gave it values. */
 export interface OfMachine {
   setup(): { setup?: Machine };
-  take(machine: MachineView): void;
+  take(machine: Pick<MachineView, "basic" | "data">, definitions: string[]): void;
 }
 
 function fileOf(file: DefinitionsText): TemplateResult {
@@ -125,10 +125,11 @@ export function openDefinitions(core: ProgramCore, machine: OfMachine, end: Abor
       problem.textContent = sayProblem(answer.why);
       return;
     }
-    machine.take(answer.machine);
+    machine.take(answer.machine, answer.definitions);
     draw();
     const refused = answer.machine.problems.map(one => `${one.name}: ${say(one.message)} ${say(one.hint)}`);
-    read.textContent = [say(answer.ending), ...refused].join(" ");
+    const sizes = answer.sizes ? [say(answer.sizes)] : [];
+    read.textContent = [say(answer.ending), ...sizes, ...refused].join(" ");
   };
   on(channels, "input", draw);
   on(jog, "change", draw);

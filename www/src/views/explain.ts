@@ -2,6 +2,7 @@
 // that no field moves; a longer text unfolds over the fields.
 
 import { el, on, setAttribute, setText, show } from "../dom";
+import { glossed, hasTerms } from "../glossary";
 import { meantBy } from "../keys";
 import { say, t } from "../texts";
 import type { Field } from "../wire";
@@ -49,6 +50,8 @@ export function createExplain(background: (concept: string) => void): Explain {
   unfold(false);
 
   let shown = "";
+  let helped = "";
+  let marks = false; // whether terms could be marked when it was drawn
   return {
     root,
     draw(cycle, field) {
@@ -65,7 +68,11 @@ export function createExplain(background: (concept: string) => void): Explain {
       setText(code, field.name);
       const source = field.source && t("field-source", { source: field.source });
       const argument = field.argument ? say(field.argument) : "";
-      setText(told, [say(field.help), needText(field), argument, source].filter(Boolean).join(" "));
+      const text = [say(field.help), needText(field), argument, source].filter(Boolean).join(" ");
+      if (text === helped && marks === hasTerms()) return;
+      helped = text;
+      marks = hasTerms();
+      told.replaceChildren(...glossed(text));
     },
   };
 }

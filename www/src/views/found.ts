@@ -3,7 +3,7 @@
 
 import type { Actions } from "../desk/actions";
 import { el, on, setAttribute, setText, show } from "../dom";
-import { openGuide } from "../guide";
+import { isExplained, openGuide } from "../guide";
 import { type Command, meantBy } from "../keys";
 import type { Group, Hit, Search } from "../search";
 import { pieces } from "../search/words";
@@ -58,7 +58,7 @@ export function createFound(
   const pick = ({ entry }: Hit): void => {
     const { kind, code, key, variant, cycles, others } = entry;
     const [cycle] = cycles;
-    if (kind === "guide") openGuide(key);
+    if (isExplained(kind)) openGuide(key);
     else if (kind === "result" || kind === "alarm") actions.card({ kind, code, key, cycles, others });
     else if (kind === "around") {
       actions.panel("form");

@@ -6,6 +6,7 @@ import type { Actions } from "../desk/actions";
 import type { Derived } from "../desk/derive";
 import { variantOf } from "../desk/variants";
 import { el, on, setText, show } from "../dom";
+import { glossed } from "../glossary";
 import { meantBy } from "../keys";
 import type { State } from "../state/state";
 import type { Store } from "../state/store";
@@ -83,11 +84,11 @@ export function createHelp(
   };
 }
 
-/** A text with the names of data in it marked as such. */
-function marked(text: string): (string | HTMLElement)[] {
+/** A text with the names of data in it marked as such, and terms that are not `seen` yet. */
+function marked(text: string, seen: Set<string>): (string | HTMLElement)[] {
   return text
     .split(/([_$][A-Z][A-Z0-9_]*(?:\[[^\]]*\])?)/)
-    .map((part, index) => (index % 2 ? el("code", {}, part) : part));
+    .flatMap((part, index) => (index % 2 ? [el("code", {}, part)] : glossed(part, seen)));
 }
 
 /**
@@ -95,6 +96,7 @@ function marked(text: string): (string | HTMLElement)[] {
  * alarms at the end.
  */
 function fill({ sections, required, results, alarms, places }: HelpView, goTo: (name: string) => void): HTMLElement[] {
+  const seen = new Set<string>();
   const parts = sections.map(({ label, lines }) =>
     el(
       "section",
@@ -103,7 +105,9 @@ function fill({ sections, required, results, alarms, places }: HelpView, goTo: (
       el(
         "ul",
         {},
-        ...lines.map(({ message, source }) => el("li", {}, ...marked(say(message)), " ", el("small", {}, source))),
+        ...lines.map(({ message, source }) =>
+          el("li", {}, ...marked(say(message), seen), " ", el("small", {}, source)),
+        ),
       ),
     ),
   );
@@ -134,7 +138,7 @@ function fill({ sections, required, results, alarms, places }: HelpView, goTo: (
     "details",
     { class: "help-folded" },
     el("summary", {}, t("where-title")),
-    ...places.map(({ message, source }) => el("p", {}, ...marked(say(message)), " ", el("small", {}, source))),
+    ...places.map(({ message, source }) => el("p", {}, ...marked(say(message), seen), " ", el("small", {}, source))),
   );
   return [
     ...parts.slice(0, 2),

@@ -6,6 +6,7 @@ import { repeat } from "lit-html/directives/repeat.js";
 import type { ProgramCore } from "../core/program";
 import type { Actions } from "../desk/actions";
 import { el, on, setText } from "../dom";
+import { glossPart } from "../glossary";
 import { plain } from "../numbers";
 import { machine } from "../state/state";
 import type { Store } from "../state/store";
@@ -292,7 +293,7 @@ function datumRow(datum: MachineField, value: string, problem: string, edit: (va
     <div class="entry-line">
       ${entry}<span class="unit">${unitText(datum.unit)}</span><span class="meta">${limitsText(datum)}</span>
     </div>
-    <p class="datum-help" id=${`${id}-help`}>${optional(`${datum.key}.help`)}</p>
+    <p class="datum-help" id=${`${id}-help`}>${glossPart(optional(`${datum.key}.help`))}</p>
     ${datum.idle ? html`<p class="datum-help datum-idle" id=${`${id}-idle`}>${t("machine-data-idle")}</p>` : nothing}
     ${
       datum.warned

@@ -5,7 +5,7 @@ import type { ProgramCore } from "../core/program";
 import type { Actions } from "../desk/actions";
 import type { Derived } from "../desk/derive";
 import { el, on, setAttribute, setText, show } from "../dom";
-import { openGuide } from "../guide";
+import { isExplained, openGuide } from "../guide";
 import { type Command, meantBy } from "../keys";
 import type { Hit, Search } from "../search";
 import { pieces, plainWord, words } from "../search/words";
@@ -135,7 +135,7 @@ export function createPalette(store: Store, actions: Actions, leads: Leads, now:
     const [cycle] = cycles;
     const note = control && kind !== "measurement" ? t(`control-${control}`) : undefined;
     const run = (): void => {
-      if (kind === "guide") openGuide(key);
+      if (isExplained(kind)) openGuide(key);
       else if (kind === "around") {
         actions.panel("form");
         actions.around(code);

@@ -2,6 +2,7 @@
 
 import { html, nothing, render, type TemplateResult } from "lit-html";
 import { repeat } from "lit-html/directives/repeat.js";
+import { glossPart } from "../glossary";
 import { say, t } from "../texts";
 import type { Diagnostic, Offer } from "../wire";
 
@@ -18,7 +19,7 @@ export function problem(
     <span class="mark" aria-hidden="true">${MARKS[severity]}</span>
     <span class="problem-text">${`${t(`severity-${severity}`)}: ${say(message)}`}</span>
     <code class="problem-code">${code}</code>
-    <span class="hint" ?hidden=${!hint}>${hint ? say(hint) : ""}</span>${more}
+    <span class="hint" ?hidden=${!hint}>${hint ? glossPart(say(hint)) : ""}</span>${more}
   </li>`;
 }
 

@@ -5,6 +5,7 @@ import "../styles/exported.css";
 import "../styles/terms.css";
 import type { ProgramCore } from "../core/program";
 import { el, on, setText, show } from "../dom";
+import { glossed } from "../glossary";
 import { helpWords, optional, say, t } from "../texts";
 import type { ConceptView, GuideView, Message, TermsView, TermView } from "../wire";
 import { passingDialog, showPassing } from "./passing";
@@ -28,11 +29,12 @@ function place(names: string[], source: string): HTMLElement {
 /** The page of a concept; its picture is drawn once it is opened. */
 function page(core: ProgramCore, { id, title, lines, names, source, example }: ConceptView): HTMLDetailsElement {
   const behind = place(names, source);
+  const seen = new Set<string>(); // a page marks each term once
   const root = el(
     "details",
     { class: "term-page", id: `concept-${id}` },
     el("summary", {}, say(title)),
-    ...lines.map(line => el("p", {}, say(line))),
+    ...lines.map(line => el("p", {}, ...glossed(say(line), seen))),
     behind,
   );
   if (example)
@@ -63,9 +65,9 @@ function definition({ term, meaning, names, see, source }: TermView): HTMLElemen
   const further = see.length ? [el("span", { class: "term-see" }, `→ ${see.map(say).join(", ")}`)] : [];
   return el(
     "div",
-    { class: "term" },
+    { class: "term", id: term.key, tabindex: "-1" },
     el("dt", {}, say(term)),
-    el("dd", {}, el("p", {}, say(meaning)), ...further, place(names, source)),
+    el("dd", {}, el("p", {}, ...glossed(say(meaning), new Set([term.key]))), ...further, place(names, source)),
   );
 }
 
@@ -137,12 +139,12 @@ export async function openTerms(
   on(search, "input", find);
   find();
   showPassing(dialog, closing, end, () => {});
-  const opened = first ? dialog.querySelector<HTMLDetailsElement>(`#${first}`) : null;
+  const opened = first ? dialog.querySelector<HTMLElement>(`#${first}`) : null;
   if (!opened) {
     search.focus();
     return;
   }
-  opened.open = true;
+  if (opened instanceof HTMLDetailsElement) opened.open = true;
   opened.scrollIntoView({ block: "start" });
-  opened.querySelector("summary")?.focus();
+  (opened.querySelector("summary") ?? opened).focus();
 }

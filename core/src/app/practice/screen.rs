@@ -7,6 +7,7 @@ use super::view::{
 };
 use crate::app::help::{HelpSection, HelpText};
 use crate::app::jog::stored;
+use crate::app::whereabouts_in_jog;
 use crate::control::{AXES, Control, OLDER_JOG, Plane, ROTARY, Store};
 use crate::jog::activation::{Activation, choices};
 use crate::jog::help::{self, Line};
@@ -63,7 +64,8 @@ fn told_help(mask: &Mask) -> Vec<HelpSection> {
         label: Message::new(heading),
         lines: lines.into_iter().map(line).collect(),
     };
-    help::help(mask).into_iter().map(section).collect()
+    let place = HelpSection { label: Message::new("where-title"), lines: whereabouts_in_jog(mask) };
+    help::help(mask).into_iter().map(section).chain([place]).collect()
 }
 
 fn asked(session: &Session, field: &'static Field) -> PracticeField {

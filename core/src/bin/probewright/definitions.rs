@@ -77,8 +77,12 @@ fn read(asked: &Arguments, setup: &mut Value, words: &Words) -> Result<bool, Pro
     let back = app::read_back(request).map_err(|refused| file::wrong_files(&asked.files, refused.message))?;
     if let Value::Object(members) = setup {
         members.insert("data".to_owned(), json!(back.machine.data));
+        members.insert("definitions".to_owned(), json!(back.definitions));
     }
     file::complain(&words.text(&back.ending));
+    if let Some(sizes) = &back.sizes {
+        file::complain(&words.text(sizes));
+    }
     for problem in &back.machine.problems {
         let texts = [&problem.refusal.message, &problem.refusal.hint].map(|message| words.text(message));
         file::complain(&format!("{}: {}", problem.name, texts.join(" ")));

@@ -6,6 +6,7 @@ use probewright_core::catalogue::CYCLES;
 use probewright_core::entry::Cycle;
 use probewright_core::jog::masks;
 use probewright_core::message::Message;
+use probewright_core::report::commissioning::connection;
 use probewright_core::report::explain::{arguments, cycle, datum, list, older, setting_datum, variant};
 use probewright_core::report::findings::finding;
 use probewright_core::report::foreign;
@@ -17,7 +18,7 @@ use std::io::Write;
 use std::process::ExitCode;
 
 /// The help page of a variant of a cycle, or of a mask of measuring in JOG; else what a finding, an alarm, a parameter,
-/// a result or a datum of the machine means, or a guide; `guides` lists these.
+/// a result or a datum of the machine means, a connection, or a guide; `guides` lists these.
 pub fn explain(name: &str, number: Option<i64>, words: &Words, out: &mut dyn Write) -> Result<ExitCode, Problem> {
     if name.eq_ignore_ascii_case("guides") {
         write!(out, "{}", guides::list(words))?;
@@ -36,6 +37,7 @@ pub fn explain(name: &str, number: Option<i64>, words: &Words, out: &mut dyn Wri
                 + &older(name, words)
                 + &foreign
                 + &terms::explained(name, words)
+                + &connection(name, words)
                 + &guides::explained(name, words)
         }
     };

@@ -75,10 +75,7 @@ enum Command {
     UserPrograms(user_programs::Arguments),
     Older(older::Arguments),
     Definitions(definitions::Arguments),
-    Commissioning {
-        #[arg(value_name = "NAME")]
-        way: Option<String>,
-    },
+    Commissioning(commissioning::Arguments),
     Lsp,
 }
 
@@ -135,7 +132,7 @@ fn run_command(command: Command, lang: Option<&str>, words: &Words, out: &mut dy
         Command::Repeat(asked) => repeat::repeat(&asked, words, out),
         Command::Braking(asked) => braking::braking(&asked, words, out),
         Command::Machine(asked) => machine::machine(&asked, words, out),
-        Command::Commissioning { way } => commissioning::commissioning(way.as_deref(), words, out),
+        Command::Commissioning(asked) => commissioning::commissioning(&asked, words, out),
         // words of its own: the client may ask for another language
         Command::Lsp => lsp::serve(self::words(lang)?, out),
     }

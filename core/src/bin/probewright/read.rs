@@ -4,9 +4,9 @@ use crate::file::{self, Control, Problem};
 use crate::foreign;
 use crate::joined::Joined;
 use probewright_core::control::{Control as State, delivery::delivery};
-use probewright_core::message::{Message, printable};
+use probewright_core::message::{Arg, Message, printable};
 use probewright_core::program::around;
-use probewright_core::program::calls::{CallSite, calls};
+use probewright_core::program::calls::{CallSite, calls_on};
 use probewright_core::program::user_programs::UserPrograms;
 use probewright_core::syntax::{self, Program};
 use probewright_core::words::Words;
@@ -14,7 +14,6 @@ use probewright_core::{app, json};
 use std::io::Write;
 use std::path::PathBuf;
 use std::process::ExitCode;
-use std::sync::Arc;
 
 /// What is read.
 #[derive(clap::Args)]
@@ -22,14 +21,17 @@ pub struct Arguments {
     file: PathBuf,
     #[arg(long)]
     json: bool,
-    #[arg(long)]
+    #[arg(long, conflicts_with = "setup")]
     control: Option<Control>,
+    #[arg(long)]
+    setup: Option<PathBuf>,
     #[arg(long, value_name = "FILES", num_args = 1..)]
     with: Vec<PathBuf>,
 }
 
 /// Lists the measuring calls of a program.
 pub fn read(asked: &Arguments, words: &Words, out: &mut dyn Write) -> Result<ExitCode, Problem> {
+    let machine = asked.setup.as_ref().map(|path| file::setup(path, asked.json, words, out)).transpose()?;
     let joined = Joined::read(&asked.file, &asked.with, asked.control)?;
     if let Some(view) = app::foreign(&joined.text).filter(|_| asked.control.is_none()) {
         match asked.json {
@@ -38,14 +40,15 @@ pub fn read(asked: &Arguments, words: &Words, out: &mut dyn Write) -> Result<Exi
         }
         return Ok(ExitCode::SUCCESS);
     }
-    let program = syntax::read_held(joined.dialect, &joined.text, &Arc::default(), &mut |_| {});
+    let control = machine.map_or_else(|| delivery(joined.dialect), |setup| setup.control);
+    let joined = joined.of(control.dialect);
+    let program = syntax::read_held(joined.dialect, &joined.text, &control.definitions.macros, &mut |_| {});
     if asked.json {
-        file::print_json(json::document(&app::calls(&program)), words, out)?;
+        file::print_json(json::document(&app::calls_on(&program, control)), words, out)?;
         return Ok(ExitCode::SUCCESS);
     }
     let around = UserPrograms::of(&program);
-    let control = delivery(joined.dialect);
-    for call in calls(&program) {
+    for call in calls_on(&program, control.clone()) {
         let (path, last) = joined.line(call.line);
         let (_, first) = joined.line(call.first_line);
         writeln!(out, "{}:{}-{}: {}", path.display(), first + 1, last + 1, call.cycle.name)?;
@@ -55,8 +58,8 @@ pub fn read(asked: &Arguments, words: &Words, out: &mut dyn Write) -> Result<Exi
         for block in ways(&program, &call, &control, words) {
             writeln!(out, "    {block}")?;
         }
-        for note in around.around(call.cycle) {
-            writeln!(out, "    {}", words.text(&note.message))?;
+        for note in user_programs(&around, &call, &joined, words) {
+            writeln!(out, "    {note}")?;
         }
     }
     Ok(ExitCode::SUCCESS)
@@ -72,4 +75,17 @@ pub fn ways(program: &Program, call: &CallSite, control: &State, words: &Words) 
         words.text(&told.text("name", found.block.name).text("values", values))
     };
     around::found(program, call, &inputs).iter().map(told).collect()
+}
+
+/// The user's programs that run before and behind a call, with the line in their own file.
+pub fn user_programs(around: &UserPrograms, call: &CallSite, joined: &Joined, words: &Words) -> Vec<String> {
+    let placed = |mut message: Message| {
+        for (name, arg) in &mut message.args {
+            if let (&mut "line", Arg::Number(line)) = (name, arg) {
+                *line = f64::from(joined.within(*line as u32).1);
+            }
+        }
+        words.text(&message)
+    };
+    around.around(call.cycle).into_iter().map(|note| placed(note.message)).collect()
 }

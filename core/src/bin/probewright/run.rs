@@ -5,7 +5,7 @@ use crate::file::Problem;
 use crate::joined::Joined;
 use crate::progress::Progress;
 use crate::protocol::Protocol;
-use crate::read::ways;
+use crate::read::{user_programs, ways};
 use crate::stream::Stream;
 use crate::{document, file, log, protocol, record, scan};
 use probewright_core::app::{Record, ResultScreen, RunAssumed, RunView, ScreenUntil};
@@ -17,6 +17,7 @@ use probewright_core::machine::Setup;
 use probewright_core::machine::trace::Step;
 use probewright_core::message::{Arg, Message, printable};
 use probewright_core::program::calls::calls_on;
+use probewright_core::program::user_programs::UserPrograms;
 use probewright_core::run::assumed::Assumed;
 use probewright_core::run::left::CallAt;
 use probewright_core::run::mode::{MODES, Mode};
@@ -259,15 +260,17 @@ impl Text {
         self.stream.as_ref().map_or(Ok(true), Stream::was_run)
     }
 
-    /// Prints the blocks that stand around the calls, where the text is held.
+    /// Prints the blocks that stand around the calls and what the user runs there, where the text is held.
     fn print_around(&self, setup: &Setup, words: &Words, out: &mut dyn Write) -> std::io::Result<()> {
         if self.stream.is_some() {
             return Ok(());
         }
         let macros = &setup.control.definitions.macros;
         let program = syntax::read_held(self.joined.dialect, &self.joined.text, macros, &mut |_| {});
+        let around = UserPrograms::of(&program);
         for call in calls_on(&program, setup.control.clone()) {
-            for block in ways(&program, &call, &setup.control, words) {
+            let notes = user_programs(&around, &call, &self.joined, words);
+            for block in ways(&program, &call, &setup.control, words).into_iter().chain(notes) {
                 let (path, line) = self.joined.line(call.line);
                 writeln!(out, "{}:{}: {}: {block}", path.display(), line + 1, call.cycle.name)?;
             }

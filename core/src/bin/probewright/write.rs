@@ -1,9 +1,10 @@
 //! `probewright write`.
 
 use crate::check::one_line;
-use crate::file::{Problem, complain, wrong};
+use crate::file::{self, Problem, complain, wrong};
 use crate::foreign;
-use probewright_core::control::Plane;
+use probewright_core::catalogue::functions::Functions;
+use probewright_core::control::{Control, Plane};
 use probewright_core::diagnostic::Severity;
 use probewright_core::dialect::Dialect;
 use probewright_core::entry::{Cycle, Inputs, Typed};
@@ -15,6 +16,7 @@ use probewright_core::words::Words;
 use probewright_core::{catalogue, check};
 use std::collections::BTreeMap;
 use std::io::Write;
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 /// What is written.
@@ -22,6 +24,8 @@ use std::process::ExitCode;
 pub struct Arguments {
     cycle: String,
     values: Vec<String>,
+    #[arg(long)]
+    setup: Option<PathBuf>,
     #[arg(long)]
     comments: bool,
     #[arg(long, default_value = "direct", hide_default_value = true, value_parser = ["direct", "indirect", "operate"])]
@@ -36,10 +40,11 @@ pub fn write(asked: &Arguments, words: &Words, out: &mut dyn Write) -> Result<Ex
         write!(out, "{text}")?;
         return Ok(ExitCode::SUCCESS);
     }
-    let cycle = find(&asked.cycle)?;
+    let machine = asked.setup.as_ref().map(|path| file::setup(path, false, words, out)).transpose()?;
+    let cycle = machine.as_ref().map_or_else(|| find(&asked.cycle), |setup| find_on(&setup.control, &asked.cycle))?;
     let typed = typed(cycle, &asked.values)?;
     let plane = cycle.purpose.machine.plane().unwrap_or(Plane::G17);
-    let control = Setup::for_cycle(cycle, plane).control;
+    let control = machine.unwrap_or_else(|| Setup::for_cycle(cycle, plane)).control;
     let checked = check::check(cycle, &typed, &control);
     let label = |_: &str, key: &str| words.key(key.to_owned());
     let comments = asked.comments.then_some(&label as &dyn Fn(&str, &str) -> String);
@@ -114,6 +119,14 @@ fn find(name: &str) -> Result<&'static Cycle, Problem> {
         .into_iter()
         .find_map(|dialect| catalogue::find(dialect, name))
         .ok_or_else(|| wrong(Message::new("terminal-cycle").text("name", name)))
+}
+
+/// The cycle of a control with this name: what the G function of an NCT control calls, else that of the catalogue.
+fn find_on(control: &Control, name: &str) -> Result<&'static Cycle, Problem> {
+    let code = name.strip_prefix(['G', 'g']).and_then(|digits| digits.parse::<f64>().ok());
+    let called = code.and_then(|code| Functions::of(control).cycle(code));
+    let none = || wrong(Message::new("terminal-cycle-control").text("name", name));
+    called.or_else(|| catalogue::find(control.dialect, name)).ok_or_else(none)
 }
 
 fn typed(cycle: &Cycle, values: &[String]) -> Result<Typed, Problem> {

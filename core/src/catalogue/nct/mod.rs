@@ -7,6 +7,7 @@ pub(crate) mod corner;
 pub(crate) mod correct;
 pub(crate) mod figures;
 pub(crate) mod help;
+pub(crate) mod levels;
 pub(crate) mod params;
 pub(crate) mod part;
 pub(crate) mod plane_axis;

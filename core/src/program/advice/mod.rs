@@ -6,6 +6,7 @@ mod generation;
 mod inherited;
 mod logs;
 mod nct;
+mod nct_levels;
 mod older;
 mod read_back;
 mod subprograms;
@@ -63,6 +64,7 @@ pub fn advice(program: &Program, sites: &[CallSite], control: &Control) -> Vec<D
     subprograms::misnamed(program, &programs, &mut found);
     if program.grammar().by_address {
         nct::look(program, &programs, sites, &mut found);
+        nct_levels::look(program, &programs, control, sites, &mut found);
         return found;
     }
     let generation = generation::look(program, sites, control);

@@ -1,10 +1,9 @@
 //! What has to be active at a macro of NCT: the spindle is oriented (C:68-72, M19 in every example: C:234), the stylus
 //! is switched on (M59, which orients too, and M55 to switch it off: C:64), and a macro may be called on its level.
 
-use super::subprograms::levels;
 use crate::catalogue::by_program;
 use crate::diagnostic::{Diagnostic, Span};
-use crate::entry::{Cycle, ProbeUse};
+use crate::entry::ProbeUse;
 use crate::message::Message;
 use crate::own::{self, Own};
 use crate::program::calls::CallSite;
@@ -13,18 +12,12 @@ use crate::program::flow::Mode;
 use crate::syntax::programs::{Programs, Unit, numbered};
 use crate::syntax::{Block, Program};
 
-/// Program number of the tool probe's macro.
-const TOOL_PROBE: f64 = 9920.0;
-/// It may be called up to the second subroutine level (C:1189); the main program is the first of ours.
-const TOOL_PROBE_LEVEL: usize = 3;
-
 /// Everything about the macros that the text calls.
 pub fn look(program: &Program, programs: &Programs, sites: &[CallSite], found: &mut Vec<Diagnostic>) {
     if sites.is_empty() {
         return;
     }
     let calls = callers(program, programs);
-    too_deep(programs, &levels(&calls), sites, found);
     let quiet: Vec<bool> = programs.units.iter().map(|unit| is_quiet(program, unit)).collect();
     let switches = words(program, &program.blocks).any(|(_, word)| matches!(word, Said::Machine(59 | 55)));
     let mut sites = sites.iter().peekable();
@@ -192,7 +185,7 @@ fn measuring_program(program: &Program, block: &Block) -> bool {
 }
 
 /// The program of the text that a block calls with M98 or G65.
-fn called_here(program: &Program, programs: &Programs, block: &Block) -> Option<usize> {
+pub(super) fn called_here(program: &Program, programs: &Programs, block: &Block) -> Option<usize> {
     let calls = words(program, std::slice::from_ref(block)).any(|(_, said)| matches!(said, Said::Calls));
     let number = program.words_of(block).iter().find_map(|word| program.literal(word, "P"));
     programs.place(&numbered(number.filter(|_| calls)?)?)
@@ -202,18 +195,6 @@ fn called_here(program: &Program, programs: &Programs, block: &Block) -> Option<
 fn callers(program: &Program, programs: &Programs) -> Vec<Vec<usize>> {
     let called = |block: &Block| called_here(program, programs, block);
     programs.units.iter().map(|unit| program.blocks_of(unit).iter().filter_map(called).collect()).collect()
-}
-
-/// The tool probe's macro on too deep a level.
-fn too_deep(programs: &Programs, levels: &[usize], sites: &[CallSite], found: &mut Vec<Diagnostic>) {
-    let of_tool_probe = |cycle: &Cycle| by_program(TOOL_PROBE).is_some_and(|other| std::ptr::eq(other, cycle));
-    for site in sites.iter().filter(|site| of_tool_probe(site.cycle)) {
-        let unit = programs.of_line(site.line);
-        let level = unit.and_then(|unit| levels.get(unit)).copied().unwrap_or(1);
-        if level > TOOL_PROBE_LEVEL {
-            found.push(own::NCT_LEVEL.finding().number("level", (level - 1) as f64).on(site.span));
-        }
-    }
 }
 
 #[cfg(test)]
@@ -227,7 +208,7 @@ mod tests {
     fn told(text: &str) -> Vec<(String, u32)> {
         let program = read(Dialect::Nct, text.as_bytes());
         let found = findings(&program).into_iter();
-        let ours = found.filter(|one| one.message.key.starts_with("nct-"));
+        let ours = found.filter(|one| one.message.key.starts_with("nct-") && one.message.key != "nct-levels");
         ours.map(|one| (one.message.key.to_string(), program.line_of(one.span.unwrap().start) + 1)).collect()
     }
 
@@ -269,17 +250,5 @@ mod tests {
         assert_eq!(told(&quiet), one("nct-oriented", 5));
         assert_eq!(told(&format!("O0110\nT98\nIF[#1EQ1]GOTO9\n{POSITIONED}N9 M30\n")), one("nct-oriented", 5));
         assert_eq!(told(&format!("O0110\nT98\nGOTO9\nN8 {POSITIONED}M30\nN9 M19\nGOTO8\n")), []);
-    }
-
-    #[test]
-    fn the_tool_probe_has_its_levels() {
-        // oracle: manual C:1189 (to maximum the second subroutine level)
-        let chain = |levels: usize| {
-            let call = |level: usize| format!("O{}\nM98 P{}\nM99\n", 100 + level, 101 + level);
-            let before: String = (0..levels).map(call).collect();
-            format!("{before}O{}\nG65 P9920 Z-8 T8\nM99\n", 100 + levels)
-        };
-        assert_eq!(told(&chain(2)), []);
-        assert_eq!(told(&chain(3)), one("nct-level", 11));
     }
 }

@@ -105,17 +105,28 @@ fn of_tool_probes(gud: &Gud) -> bool {
     gud.block == Block::Gud7 && gud.sizes.len() == 1 && each
 }
 
-/// Sizes of an array on this machine.
+/// Sizes of an array on this machine: as its definition files have them, but for fields that are counted.
 pub fn size(control: &Control, gud: &Gud) -> Vec<usize> {
-    let mut sizes = gud.sizes.to_vec();
-    let Some(first) = sizes.first_mut() else { return sizes };
+    let defined = control.definitions.sizes.get(gud.name);
+    let mut sizes = defined.cloned().unwrap_or_else(|| gud.sizes.to_vec());
+    let (Some(first), Some(most)) = (sizes.first_mut(), gud.sizes.first()) else { return sizes };
     let count = |name: &str| control.number(name).max(0.0) as usize;
     if !gud.counted.is_empty() {
-        *first = count(gud.counted).min(*first);
-    } else if of_tool_probes(gud) {
+        *first = count(gud.counted).min(*most);
+    } else if of_tool_probes(gud) && defined.is_none() {
         *first = count(TOOL_PROBES).clamp(1, LARGEST);
     }
     sizes
+}
+
+/// The datum that counts the fields of an array.
+pub fn counter(gud: &Gud) -> Option<&'static str> {
+    Some(gud.counted).filter(|counted| !counted.is_empty())
+}
+
+/// `DEF NCK BOOL _CBIT[17]`, the line that keeps a size with the machine.
+pub fn sized(gud: &Gud, sizes: &[usize]) -> String {
+    format!("{}[{}]", head(gud), sizes.iter().map(usize::to_string).collect::<Vec<_>>().join(","))
 }
 
 /// Most probes (B:929).

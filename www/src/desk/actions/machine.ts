@@ -39,8 +39,8 @@ export interface MachineActions {
   /** A value that only the machine has; null: it is assumed again. */
   machineValue(name: string, value: number | string | null): void;
   begin(machine: OwnMachine["own"]): void;
-  /** What the machine is built for, and what differs from delivery in its data. */
-  data(machine: Pick<MachineView, "basic" | "data">): void;
+  /** What the machine is built for, what differs in its data, and lines of its definition files; without: as before. */
+  data(machine: Pick<MachineView, "basic" | "data">, definitions?: string[]): void;
   /** The machine gets what it lacks. */
   give(offer: Offer): void;
 }
@@ -128,16 +128,17 @@ export function createMachineActions(
         view: { step: AT_END },
       });
     },
-    data({ basic, data }) {
+    data({ basic, data }, definitions) {
       const { control } = now().form;
       const { own } = now().machine;
       const setup = profile(now());
       const before = beginning(now());
       // rebuilt, it begins in the new system
       const units = basic === (before.basic ?? "mm") ? before.units : unitsIn(control, before.units, basic);
+      const defined = definitions && { definitions };
       const described: Patch["machine"] = setup
-        ? used(now(), { ...setup, units: basic, active: { ...setup.active, units }, data })
-        : { own: { ...own, [control]: { own: { ...ownMachine(now()), basic, units, data } } } };
+        ? used(now(), { ...setup, units: basic, active: { ...setup.active, units }, data, ...defined })
+        : { own: { ...own, [control]: { own: { ...ownMachine(now()), basic, units, data, ...defined } } } };
       store.update({ machine: described }, asBegun(now()), { view: { step: AT_END } });
     },
     give(offer) {
