@@ -274,6 +274,9 @@ sentences! {
     OLDER_FACTOR 216 Note "older-factor" "";
     OLDER_MISSING 217 Note "older-missing" "older-missing-hint";
     OLDER_CLASH 218 Warning "older-clash" "older-clash-hint";
+    WRITE_UNPUBLISHED 226 Error "write-unpublished" "write-no-list-hint";
+    WRITE_UNPUBLISHED_VARIANT 226 Error "write-unpublished-variant" "write-no-list-hint";
+    NEWER_ALONE 227 Note "newer-alone" "";
 }
 
 #[cfg(all(test, feature = "cli"))]

@@ -86,6 +86,7 @@ newer-cycle996 = Misst die Kinematik der Rundachsen, eine Stellung
 newer-cycle9960 = Misst die Kinematik als Ganzes
 newer-cycle150 = Zeigt die Ergebnisse am Bildschirm und schreibt das Protokoll
 newer-unsimulated = { $param } wird geschrieben und nicht simuliert.
+newer-alone = { $cycle } wird nicht simuliert: Ältere Steuerungen haben keinen solchen Zyklus, und die Ziffern seiner Argumente sind nicht veröffentlicht.
 newer-infeed = Ein positives { "_ID" } wird geschrieben und nicht simuliert.
 newer-infeed-hint = Programme neuerer Steuerungen sind sich über das Vorzeichen nach unten uneins: Negativ simuliert es die Maske.
 write-coarse = Argument 2 = { $value } heißt Feinverschiebung; hier korrigiert { "_CHBIT[21]" } = 1 die Grobverschiebung.
