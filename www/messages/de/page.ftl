@@ -586,14 +586,18 @@ found-parameter = Parameter ({ $count })
 found-result = Ergebnisse ({ $count })
 found-guide = Anleitungen ({ $count })
 found-alarm = Alarme ({ $count })
+found-elsewhere = Neuere Steuerungen, andere Hersteller ({ $count })
 found-more = Weitere Treffer: { $count }. Ein zusätzliches Wort grenzt die Suche ein.
 
 card-result = Ergebnis { $code }
 card-alarm = Alarm { $code }
+card-elsewhere = { $code }
 card-cause = Ursache
 card-cure = Abhilfe
 card-result-cycles = Geliefert von
 card-alarm-cycles = Gemeldet von
+card-elsewhere-cycles = Aufrufe damit
+card-parts = Argumente und Parameter
 card-close = Schließen
 
 twin-open = Dieselbe Aufgabe auf anderen Steuerungen
@@ -880,6 +884,7 @@ palette-result = Ergebnisse
 palette-around = Bausteine um den Aufruf
 palette-guide = Anleitungen
 palette-alarm = Alarme
+palette-elsewhere = Neuere Steuerungen, andere Hersteller
 palette-finding = Meldungen
 palette-help = Hilfeseiten
 palette-datum = Anwender- und Maschinendaten

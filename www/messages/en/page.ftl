@@ -577,14 +577,18 @@ found-parameter = Parameters ({ $count })
 found-result = Results ({ $count })
 found-guide = Guides ({ $count })
 found-alarm = Alarms ({ $count })
+found-elsewhere = Newer controls, other makers ({ $count })
 found-more = { $count } more. Add a word to narrow the search.
 
 card-result = Result { $code }
 card-alarm = Alarm { $code }
+card-elsewhere = { $code }
 card-cause = Cause
 card-cure = Remedy
 card-result-cycles = Returned by
 card-alarm-cycles = Raised by
+card-elsewhere-cycles = Calls with it
+card-parts = Arguments and parameters
 card-close = Close
 
 twin-open = The same task on other controls
@@ -865,6 +869,7 @@ palette-result = Results
 palette-around = Blocks around the call
 palette-guide = Guides
 palette-alarm = Alarms
+palette-elsewhere = Newer controls, other makers
 palette-finding = Problems
 palette-help = Help pages
 palette-datum = User and machine data

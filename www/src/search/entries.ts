@@ -3,11 +3,11 @@
 
 import type { Variant } from "../desk/variants";
 import { inEach, inEnglish, optional, t } from "../texts";
-import type { AlarmInfo, Catalogue, CycleInfo, Dialect } from "../wire";
+import type { AlarmInfo, Catalogue, CycleInfo, Dialect, Elsewhere } from "../wire";
 
-export type Kind = "measurement" | "around" | "parameter" | "result" | "alarm" | "guide";
+export type Kind = "measurement" | "around" | "parameter" | "result" | "alarm" | "elsewhere" | "guide";
 /** In the order in which they are shown where they fit equally well. */
-export const KINDS: Kind[] = ["measurement", "around", "parameter", "result", "alarm", "guide"];
+export const KINDS: Kind[] = ["measurement", "around", "parameter", "result", "alarm", "elsewhere", "guide"];
 
 export interface Entry {
   id: number;
@@ -22,6 +22,7 @@ export interface Entry {
   cycles: CycleInfo[]; // that have it
   others: string[]; // other programs that have it
   variant?: Variant;
+  told?: Elsewhere; // of a newer control or of another maker's
 }
 type Found = Omit<Entry, "id">;
 
@@ -104,6 +105,21 @@ function ofAlarm(cycles: readonly CycleInfo[], { code, key, cycles: names }: Ala
   };
 }
 
+/** What only newer controls and those of other makers have: whatever the machine in use is, it is found. */
+const ofElsewhere = (told: Elsewhere): Found => ({
+  kind: told.alarm ? "alarm" : "elsewhere",
+  control: null,
+  code: told.code,
+  key: told.key,
+  title: t(told.key),
+  words: `${told.words} ${optional(told.help)}`,
+  names: inEach(told.key),
+  foreign: "",
+  cycles: [],
+  others: told.owners,
+  told,
+});
+
 /** A block around a call, by the name that the terminal has for it. */
 const block = ({ control, name, key }: Catalogue["around"][number]): Found => ({
   kind: "around",
@@ -135,7 +151,11 @@ function guide(id: string): Found {
   };
 }
 
-export function entries({ cycles, around, guides }: Catalogue, alarms: readonly AlarmInfo[]): Entry[] {
+export function entries(
+  { cycles, around, guides }: Catalogue,
+  alarms: readonly AlarmInfo[],
+  elsewhere: readonly Elsewhere[],
+): Entry[] {
   const all = [
     ...cycles.flatMap(measurements),
     ...shared(cycles, ({ control, parameters }) =>
@@ -164,6 +184,7 @@ export function entries({ cycles, around, guides }: Catalogue, alarms: readonly 
     ),
     ...around.map(block),
     ...alarms.map(alarm => ofAlarm(cycles, alarm)),
+    ...elsewhere.map(ofElsewhere),
     ...guides.map(guide),
   ];
   return all.map((one, id) => ({ ...one, id }));
