@@ -277,6 +277,9 @@ sentences! {
     NCT_LEVELS 222 Note "nct-levels" "nct-levels-hint";
     NCT_MACRO_LEVELS 223 Error "nct-macro-levels" "nct-levels-deep-hint";
     NCT_SUBPROGRAM_LEVELS 223 Error "nct-subprogram-levels" "nct-levels-deep-hint";
+    WRITE_UNPUBLISHED 226 Error "write-unpublished" "write-no-list-hint";
+    WRITE_UNPUBLISHED_VARIANT 226 Error "write-unpublished-variant" "write-no-list-hint";
+    NEWER_ALONE 227 Note "newer-alone" "";
     NEWER_AWAY 230 Error "newer-away" "newer-away-hint";
     WRITE_ASSIGNED 231 Note "write-assigned" "write-assigned-hint";
 }

@@ -40,6 +40,32 @@ describe("the palette", () => {
     await context.close();
   });
 
+  // oracle: peer (the published list of CYCLE996; its remedies; TNC7, cycle 430: its last values are on no page)
+  test("explains what newer controls and other makers have", async () => {
+    const { context, page, problems } = await start(chrome);
+    for (const [typed, heading, said] of [
+      ["CYCLE996", "CYCLE996", /S_TC/],
+      ["61422", "Alarm 61422", /CYCLE996/],
+      ["54600", "SD54600", /_WP\[k,0\]/],
+      ["TCH PROBE 430", "TCH PROBE 430", /Q281, Q309, Q330/],
+    ]) {
+      await find(page, typed);
+      await palette(page)
+        .locator(".palette-item")
+        .filter({ hasText: heading.replace("Alarm ", "") })
+        .first()
+        .click();
+      const card = page.locator("dialog.card[open]");
+      await card.getByRole("heading", { name: heading, exact: true }).waitFor();
+      assert.match(await card.textContent(), said);
+      if (process.env.PICTURES) await page.screenshot({ path: `${process.env.PICTURES}/card-${typed}.png` });
+      await page.keyboard.press("Escape");
+      await card.waitFor({ state: "detached" }).catch(() => card.waitFor({ state: "hidden" }));
+    }
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
   // oracle: hand
   test("keeps the machine in a file and takes one, as its menu does", async () => {
     const { context, page, problems } = await start(chrome);

@@ -63,6 +63,37 @@ test("words of every language are found in every language", async () => {
   }
 });
 
+// oracle: peer (published lists, data and remedies of newer controls, pages of the TNC), whatever the control in use is
+test("what newer controls and other makers have leads to its explanation", async () => {
+  for (const language of ["en", "de", "zh"]) {
+    await texts.choose([language]);
+    const all = [core.catalogue(), core.alarms(), core.elsewhere()].map(one => JSON.parse(one));
+    const find = search.createSearch(...all);
+    for (const [typed, kind, code] of [
+      ["SD54600", "elsewhere", "SD54600"],
+      ["54600", "elsewhere", "SD54600"],
+      ["MD51740", "elsewhere", "MD51740"],
+      ["51740", "elsewhere", "MD51740"],
+      ["61444", "alarm", "61444"],
+      ["61422", "alarm", "61422"],
+      ["S_MD", "elsewhere", "S_MD"],
+      ["S_TZL", "elsewhere", "S_TZL"],
+      ["CYCLE996", "elsewhere", "CYCLE996"],
+      ["995", "elsewhere", "CYCLE995"],
+      ["CYCLE150", "elsewhere", "CYCLE150"],
+      ["9960", "elsewhere", "CYCLE9960"],
+      ["TCH PROBE 421", "elsewhere", "TCH PROBE 421"],
+      ["Heidenhain", "elsewhere", "TCH PROBE 400"],
+    ])
+      for (const control of ["sinumerik", "nct"]) {
+        const hits = find(typed, control).find(group => group.kind === kind)?.hits ?? [];
+        const codes = hits.slice(0, 30).map(({ entry }) => entry.code);
+        assert.ok(codes.includes(code), `${language}: ${typed} finds ${codes}`);
+        if (typed !== "Heidenhain") assert.equal(codes[0], code, `${language}: ${typed}`);
+      }
+  }
+});
+
 // oracle: hand (German for a date; English for a zero point)
 test("what a word means in the language of the page comes first", async () => {
   for (const [language, meant] of [

@@ -57,6 +57,33 @@ describe("twin", () => {
     await context.close();
   });
 
+  // oracle: hand (the TNC measures angle and corner too; its pages are not published)
+  test("says why a cycle there is not written, of an angle and a corner too", async () => {
+    const { context, page, problems } = await start(chrome);
+    for (const [name, heading, why] of [
+      ["CYCLE998", /TCH PROBE 4[02]0/, /none shows the values of Q265/],
+      ["CYCLE961", /TCH PROBE 415/, /no public document that was found/],
+    ]) {
+      await searchTasks(page, name);
+      await page.locator(`.hits[data-search="${name}"] .hit`).first().click();
+      if (
+        !(await twin(page)
+          .getAttribute("open")
+          .then(open => open !== null))
+      )
+        await twin(page).locator("summary").click();
+      const there = twin(page).locator(".twin-call").filter({ hasText: heading });
+      await there.waitFor();
+      assert.match(await there.textContent(), why);
+      if (process.env.PICTURES) {
+        await there.scrollIntoViewIfNeeded();
+        await page.screenshot({ path: `${process.env.PICTURES}/twin-${name}.png` });
+      }
+    }
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
   // oracle: manual (TNC 320 9/2016, p. 396: limits of size); hand: the page shows as many columns as the core lists
   test("has a column for a control that is read and not run", async () => {
     const { context, page, problems } = await start(chrome);

@@ -14,6 +14,13 @@ pub fn alarms() -> String {
     json::text(&app::alarms())
 }
 
+/// `Elsewhere[]`: what only newer controls and those of other makers have.
+#[wasm_bindgen]
+#[must_use]
+pub fn elsewhere() -> String {
+    json::text(&app::elsewhere())
+}
+
 /// `HelpRequest` → `HelpView`.
 ///
 /// # Errors

@@ -1085,6 +1085,34 @@ export type Edit = {
 /** What is measured, in the order in which it is offered. */
 export type Element = "hole" | "shaft" | "groove" | "web" | "pocket" | "boss" | "edge" | "corner" | "angle" | "sphere" | "turned" | "tool" | "probe" | "points" | "surface" | "move";
 
+/** Something of such a control. */
+export type Elsewhere = {
+  /** Its name there: `SD54600`, `S_MD`, `CYCLE996`, `61444`, `TCH PROBE 421`. */
+  code: string,
+  /** Whether it is an alarm. */
+  alarm: boolean,
+  /** Key of what it means. */
+  key: string,
+  /** Key of what more there is to say; not every language file has it. */
+  help: string,
+  /** Other names by which it is looked for. */
+  words: string,
+  /** What else is known of it. */
+  lines: Array<Message>,
+  /** Its arguments or parameters, in their order. */
+  parts: Array<ElsewherePart>,
+  /** Calls that have it, each with its place there: `CYCLE977 (9)`. */
+  owners: Array<string>,
+};
+
+/** An argument or a parameter of a cycle. */
+export type ElsewherePart = {
+  /** Its name; empty: none is published. */
+  name: string,
+  /** Key of what it means. */
+  key: string,
+};
+
 /** What is recognised. Whoever shows the text may know more, to be chosen by hand. */
 export type Encoding = "utf-8" | "utf-8-marked" | "utf-16le" | "utf-16le-marked" | "utf-16be" | "utf-16be-marked" | "gbk" | "gb18030" | "shift_jis" | "windows-1252";
 

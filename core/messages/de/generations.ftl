@@ -8,8 +8,9 @@ generation-2-data = Settingdaten: ab SD 54600 (Werkstückmesstaster), ab SD 54
 generation-3-parameters = 3: 840D sl ab 2.7, 828D ab 4.4, ONE. Argumentliste CYCLE977(…)
 generation-3-data = Settingdaten: ab SD 54600, ab SD 54625 mit MD 51780, SD 55632, SD 55634, SD 55636 (Geschwindigkeiten)
 generations-read = jedes Argument mit seinem Namen, in beliebiger Anzahl; eine Änderung betrifft nur ihre Stelle
-generations-written = { $variants }
-generations-simulated = { $variants }, mit NV 1 bis 99 (fein) und 10001 bis 10099 (grob)
+generations-written = { $variants }. Nicht: andere Varianten, weil ihre Ziffern nicht veröffentlicht sind.
+generations-simulated = { $variants }, mit NV 1 bis 99 (fein), 10001 bis 10099 (grob) oder 9999 (aktiver Frame). Nicht: andere Varianten, weil ihre Ziffern nicht veröffentlicht sind; NV 9000 und 19999, weil ihre Bedeutung nicht veröffentlicht ist.
+generations-no-tool = Auch kein Werkzeug (S_KNUM1): Die Ziffern sind nicht veröffentlicht.
 generations-digits = nein: Die Ziffern von Argument 1 sind nicht veröffentlicht
 generations-no-counterpart = nein: Ältere Steuerungen haben keinen solchen Zyklus, und die Ziffern sind nicht veröffentlicht
 

@@ -89,6 +89,7 @@ newer-cycle996 = Misst die Kinematik der Rundachsen, eine Stellung
 newer-cycle9960 = Misst die Kinematik als Ganzes
 newer-cycle150 = Zeigt die Ergebnisse am Bildschirm und schreibt das Protokoll
 newer-unsimulated = { $param } wird geschrieben und nicht simuliert.
+newer-alone = { $cycle } wird nicht simuliert: Ältere Steuerungen haben keinen solchen Zyklus, und die Ziffern seiner Argumente sind nicht veröffentlicht.
 newer-infeed = Ein positives { "_ID" } wird geschrieben und nicht simuliert.
 newer-infeed-hint = Programme neuerer Steuerungen sind sich über das Vorzeichen nach unten uneins: Negativ simuliert es die Maske.
 newer-away = { "S_MD" } = { $value } führt vom Sollwert weg: Der Messtaster steht auf der anderen Seite. Was die Steuerung dann tut, ist nicht veröffentlicht; der Lauf hält hier an.

@@ -1,6 +1,7 @@
 # Dieselbe Aufgabe auf der anderen Steuerung.
 twin-middle = Bei einer Toleranz ist der Sollwert die Mitte des Toleranzfelds. Der Zyklus korrigiert ein Werkzeug auf diesen Wert.
 twin-no-zero = Die korrigierte Nullpunktverschiebung hat dort keine Entsprechung: eine Nullpunktverschiebung auswählen.
+twin-coarse = { $value } korrigiert den Grobanteil der Nullpunktverschiebung; dort ist sie ein einziger Wert ohne Grob- und Feinanteil.
 twin-at-once = Bei NCT gilt die korrigierte Nullpunktverschiebung sofort, bei SINUMERIK erst, wenn sie erneut programmiert wird, mit { "_KNUM" }=9999 sofort.
 twin-names = Die 5. und die 6. Nullpunktverschiebung heißen bei NCT G58 und G59, bei SINUMERIK G505 und G506.
 twin-register = Als Nummer des NCT-Korrekturspeichers ist die Werkzeugnummer angenommen; bei anderer Zuordnung korrigieren.
@@ -20,6 +21,7 @@ task-wall = Fläche senkrecht zu einer Achse der Ebene
 task-face = Fläche senkrecht zur Werkzeugachse
 task-inner-corner = Innenecke
 task-outer-corner = Außenecke
+task-angle = Winkel einer Kante
 task-ball = Messtasterkugel im Ring kalibrieren
 task-length = Länge kalibrieren
 meaning-nominal = Sollwert

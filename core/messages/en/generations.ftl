@@ -8,8 +8,9 @@ generation-2-data = Setting data: from SD 54600 (workpiece probe), from SD 546
 generation-3-parameters = 3: 840D sl from 2.7, 828D from 4.4, ONE. Argument list CYCLE977(…)
 generation-3-data = Setting data: from SD 54600, from SD 54625 with MD 51780, SD 55632, SD 55634, SD 55636 (speeds)
 generations-read = Each argument by its name, any number of them; a change touches its own place only
-generations-written = { $variants }
-generations-simulated = { $variants }, with a zero offset from 1 to 99 (fine) and 10001 to 10099 (coarse)
+generations-written = { $variants }. Not: other variants, because their digits are not published.
+generations-simulated = { $variants }, with a zero offset from 1 to 99 (fine), 10001 to 10099 (coarse) or 9999 (active frame). Not: other variants, because their digits are not published; zero offsets 9000 and 19999, because their meaning is not published.
+generations-no-tool = Nor a tool (S_KNUM1): its digits are not published.
 generations-digits = No: the digits of argument 1 are not published
 generations-no-counterpart = No: older controls have no such cycle, and the digits are not published
 

@@ -89,6 +89,7 @@ newer-cycle996 = Measures the kinematics of rotary axes, one position
 newer-cycle9960 = Measures the kinematics as a whole
 newer-cycle150 = Shows the results on the screen and writes the log
 newer-unsimulated = { $param } is written and not simulated.
+newer-alone = { $cycle } is not simulated: older controls have no such cycle, and the digits of its arguments are not published.
 newer-infeed = A positive { "_ID" } is written and not simulated.
 newer-infeed-hint = Programs of newer controls disagree about the sign that leads down: with a negative one the form simulates it.
 newer-away = { "S_MD" } = { $value } leads away from the setpoint: the probe is on its other side. What the control does then is not published; the run stops here.

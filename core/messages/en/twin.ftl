@@ -1,6 +1,7 @@
 # The same task on the other control.
 twin-middle = If a tolerance is specified, the setpoint is the middle of the tolerance band. A tool is corrected to this value.
 twin-no-zero = The corrected zero offset has no counterpart there: choose a zero offset.
+twin-coarse = { $value } corrects the coarse part of the zero offset; there it is a single value without coarse and fine part.
 twin-at-once = On NCT the corrected zero offset applies immediately; on SINUMERIK it applies when programmed again, or immediately with { "_KNUM" }=9999.
 twin-names = The 5th and 6th zero offsets are G58 and G59 on NCT, G505 and G506 on SINUMERIK.
 twin-register = The NCT register number is assumed to equal the tool number; if yours differs, correct it.
@@ -20,6 +21,7 @@ task-wall = Surface perpendicular to a plane axis
 task-face = Surface perpendicular to tool axis
 task-inner-corner = Inside corner
 task-outer-corner = Outside corner
+task-angle = Angle of an edge
 task-ball = Calibrate the ball in a ring
 task-length = Calibrate the length
 meaning-nominal = Setpoint

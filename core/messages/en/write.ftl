@@ -2,6 +2,9 @@
 
 write-no-list = { $cycle } cannot be written in this call style.
 write-no-list-variant = This variant or target of { $cycle } cannot be written in this call style.
+write-unpublished = The argument list of { $cycle } is not written: the digits of argument 1 are not published.
+write-unpublished-variant = Variant { $value } of { $cycle } is not written as an argument list: its digits are not published.
+write-unpublished-alone = { $cycle } is not written: older controls have no such cycle, and the digits of its arguments are not published.
 write-variant-open = The arguments determine the measuring variant, and { $value } is known only when the program runs.
 write-no-list-hint = Write assignments and the call instead.
 write-zero = { $name }={ $value } is written as a separate assignment: 0 in CYCLE_PARA keeps the previous value.

@@ -8,8 +8,9 @@ generation-2-data = 设定数据：自 SD 54600（工件测头），自 SD 546
 generation-3-parameters = 3：840D sl 自 2.7，828D 自 4.4，ONE。参数列表 CYCLE977(…)
 generation-3-data = 设定数据：自 SD 54600，自 SD 54625 以及 MD 51780，SD 55632、SD 55634、SD 55636（速度）
 generations-read = 每个参数按名称读取，数量不限；修改只影响其自身位置
-generations-written = { $variants }
-generations-simulated = { $variants }，零点偏移为 1 至 99（精）和 10001 至 10099（粗）
+generations-written = { $variants }。不包括：其他测量方式，因为其各位数字的含义未公布。
+generations-simulated = { $variants }，零点偏移为 1 至 99（精）、10001 至 10099（粗）或 9999（当前框架）。不包括：其他测量方式，因为其各位数字的含义未公布；零点偏移 9000 和 19999，因为其含义未公布。
+generations-no-tool = 也不包括刀具（S_KNUM1）：其各位数字的含义未公布。
 generations-digits = 否：参数 1 各位数字的含义未公布
 generations-no-counterpart = 否：旧版控制系统没有这样的循环，其各位数字的含义也未公布
 

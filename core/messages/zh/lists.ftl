@@ -89,6 +89,7 @@ newer-cycle996 = 测量回转轴的运动系统，一个位置
 newer-cycle9960 = 完整测量运动系统
 newer-cycle150 = 在屏幕上显示结果并写入测量记录
 newer-unsimulated = { $param } 会写入，但不模拟。
+newer-alone = 不模拟 { $cycle }：旧版控制系统没有这样的循环，其参数各位数字的含义未公布。
 newer-infeed = 正的 { "_ID" } 会写入，但不模拟。
 newer-infeed-hint = 新型控制系统的程序对向下的符号不一致：取负值时输入画面会模拟。
 newer-away = { "S_MD" } = { $value } 背离设定值：测头在另一侧。控制系统此时的动作没有公开，运行在此停止。

@@ -1,6 +1,7 @@
 # 另一种控制系统上的同一任务。
 twin-middle = 给出公差时，设定值为公差带的中值，刀具补偿以此值为目标值。
 twin-no-zero = 另一种控制系统中没有与所补偿的零点偏移对应的编号：请选择一个零点偏移。
+twin-coarse = { $value } 补偿零点偏移的粗偏移；另一种控制系统中它只有一个值，不分粗、精。
 twin-at-once = 在 NCT 上补偿后的零点偏移立即生效；在 SINUMERIK 上再次编程后生效，{ "_KNUM" }=9999 时立即生效。
 twin-names = 第五和第六个零点偏移在 NCT 上是 G58 和 G59，在 SINUMERIK 上是 G505 和 G506。
 twin-register = 假定 NCT 的寄存器号与刀具号相同；若不同请改正。
@@ -20,6 +21,7 @@ task-wall = 垂直于平面轴的表面
 task-face = 垂直于刀具轴的表面
 task-inner-corner = 内拐角
 task-outer-corner = 外拐角
+task-angle = 边的角度
 task-ball = 在环规中校准测球
 task-length = 校准长度
 meaning-nominal = 设定值

@@ -2,6 +2,9 @@
 
 write-no-list = { $cycle } 不能用这种书写方式。
 write-no-list-variant = { $cycle } 的此测量方式或补偿对象不能用这种书写方式。
+write-unpublished = 不生成 { $cycle } 的参数列表：参数 1 各位数字的含义未公布。
+write-unpublished-variant = 不以参数列表生成 { $cycle } 的测量方式 { $value }：其各位数字的含义未公布。
+write-unpublished-alone = 不生成 { $cycle }：旧版控制系统没有这样的循环，其参数各位数字的含义未公布。
 write-variant-open = 参数决定测量方式，而 { $value } 在程序运行时才能确定。
 write-no-list-hint = 请改写成赋值和调用。
 write-zero = { $name }={ $value } 单独写成赋值：CYCLE_PARA 中的 0 保留原来的值。

@@ -16,6 +16,7 @@ mod commissioning;
 mod concept;
 mod definitions;
 mod edit;
+mod elsewhere;
 mod encoding;
 mod equip;
 mod finding;
@@ -83,6 +84,7 @@ pub use edit::{
     Assignment, ChangeRequest, Changed, ConvertRequest, Converted, CureRequest, CuredAll, Replaced, Variable, change,
     convert, cure,
 };
+pub use elsewhere::{Elsewhere, ElsewherePart, elsewhere};
 pub use encoding::Recognised;
 pub use equip::{CellText, EquipRequest, EquipView, EquipmentChange, EquipmentRows, RowOf, equip};
 pub use finding::{Cure, Edit, Finding, findings};

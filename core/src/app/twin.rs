@@ -1,6 +1,6 @@
 //! A task of the form on other controls, beside it.
 
-use crate::catalogue::twin::{Measurement, measured, one_sided, only_here, other};
+use crate::catalogue::twin::{Measurement, coarse, lost_zero, measured, one_sided, only_here, other};
 use crate::control::{Control, delivery_in};
 use crate::entry::{Cycle, Inputs, Style, Typed};
 use crate::foreign::{self, Aim, CONTROLS, Foreign, OfTask, of_task};
@@ -84,9 +84,7 @@ fn of_foreign(other: &'static Foreign, inputs: &Inputs, control: &Control) -> Op
         there.values.iter().map(|(name, value)| (*name, length(name, *value))).collect();
     let values: Typed = values.into_iter().map(|(name, value)| (name.to_owned(), value.to_string())).collect();
     let written = foreign::written(other, there.cycle, &values);
-    let refused = written
-        .is_err()
-        .then(|| Message::new("foreign-not-written").text("cycle", there.cycle.name).text("control", other.name));
+    let refused = there.cycle.unwritten(other);
     let known = Measurement { corner: None, limit: None, reach: None, ..measurement };
     Some(TwinView {
         control: other.name,
@@ -95,10 +93,17 @@ fn of_foreign(other: &'static Foreign, inputs: &Inputs, control: &Control) -> Op
         task: Message::new(known.task.key()),
         values,
         snippet: written.unwrap_or_default(),
-        differences: told(other, &there, inputs, here, control),
+        differences: [zero_offset(other, here, inputs, &known), told(other, &there, inputs, here, control)].concat(),
         refused,
         shared: shared(&known, control),
     })
+}
+
+/// What becomes of the zero offset that the call corrects.
+fn zero_offset(other: &Foreign, here: &entry::Shared, inputs: &Inputs, known: &Measurement) -> Vec<Message> {
+    let lost = lost_zero(here, inputs, known)
+        .map(|zero| Message::new("foreign-zero-lost").number("value", zero).text("control", other.name));
+    lost.into_iter().chain(coarse(here, inputs)).collect()
 }
 
 /// What the reader of both calls has to know.
@@ -106,11 +111,12 @@ fn told(other: &Foreign, there: &OfTask, inputs: &Inputs, here: &entry::Shared, 
     let per = control.active_factor();
     let named = |key: &'static str, names: &[&str]| Message::new(key).text("names", names.join(", "));
     let mut all = Vec::new();
-    if !there.assumed.is_empty() {
+    let is_written = there.cycle.is_written();
+    if is_written && !there.assumed.is_empty() {
         let place = named("foreign-place", &there.assumed).text("control", other.name);
         all.push(place.number("height", there.height / per).number("clearance", there.clearance / per));
     }
-    if !there.usual.is_empty() {
+    if is_written && !there.usual.is_empty() {
         all.push(named("foreign-usual", &there.usual));
     }
     if there.cycle.tasks.iter().any(|(_, aim)| *aim == Aim::Datum) {

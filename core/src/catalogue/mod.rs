@@ -81,6 +81,7 @@ pub(crate) mod log {
 use crate::dialect::Dialect;
 use crate::entry::Cycle;
 pub use functions::{Functions, by_program};
+pub use newer::arguments::Argument;
 
 /// Every cycle that Probewright knows, in the order in which they are offered, as the build script finds them.
 pub static CYCLES: &[&Cycle] = ALL;

@@ -54,6 +54,9 @@ pub struct Twin {
 /// Zero offsets that both controls have: G54 to G59, of which a SINUMERIK calls the last two G505 and G506.
 const ZEROS: std::ops::RangeInclusive<i64> = 1..=6;
 
+/// What the lists of newer controls add for the coarse part.
+const COARSE: i64 = 10_000;
+
 /// The control that a call is not of.
 pub fn other(dialect: Dialect) -> Dialect {
     match dialect {
@@ -104,10 +107,30 @@ pub fn measured(inputs: &Inputs, control: &Control) -> Option<(&'static Shared, 
         half: given(Meaning::Half).or(limits.map(|(upper, lower)| (upper - lower) / 2.0)),
         limit: given(Meaning::Limit),
         reach: given(Meaning::Reach),
-        zero: number(Meaning::Zero).filter(|number| ZEROS.contains(number)),
+        zero: number(Meaning::Zero).map(settable).filter(|number| ZEROS.contains(number)),
         tool,
     };
     Some((shared, measurement))
+}
+
+/// A zero offset whose coarse part a newer control corrects by 10000 more is the one with its number.
+fn settable(number: i64) -> i64 {
+    if is_coarse(number) { number - COARSE } else { number }
+}
+
+fn is_coarse(number: i64) -> bool {
+    (COARSE + 1..=COARSE + 99).contains(&number)
+}
+
+/// The zero offset of a call that no other control has; none where it corrects none.
+pub fn lost_zero(shared: &Shared, inputs: &Inputs, measurement: &Measurement) -> Option<f64> {
+    shared.given(Meaning::Zero, inputs).filter(|zero| *zero != 0.0 && measurement.zero.is_none())
+}
+
+/// That the other control has no coarse part of a zero offset, where the call corrects it.
+pub fn coarse(shared: &Shared, inputs: &Inputs) -> Option<Message> {
+    let number = shared.given(Meaning::Zero, inputs).filter(|number| is_coarse(*number as i64))?;
+    Some(Message::new("twin-coarse").number("value", number))
 }
 
 /// The set value in the address of an axis: the part of the plane to which the axis belongs, and the value. The axis of
@@ -242,6 +265,7 @@ fn told(inputs: &Inputs, shared: &Shared, measurement: &Measurement, control: &C
         ("twin-register", measurement.tool.is_some()),
     ];
     all.extend(said.into_iter().filter(|(_, holds)| *holds).map(|(key, _)| Message::new(key)));
+    all.extend(coarse(shared, inputs));
     if has_depth(measurement.task) {
         let [.., axis] = control.plane.axes();
         let height = twin_place::start(control.active_units) / control.active_factor();

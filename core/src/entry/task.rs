@@ -26,6 +26,8 @@ pub enum Task {
     InnerCorner,
     /// Corner outside.
     OuterCorner,
+    /// Angle of an edge.
+    Angle,
     /// Calibrates the ball in a ring.
     Ball,
     /// Calibrates the length of the probe.
@@ -46,6 +48,7 @@ impl Task {
             Task::Face => "task-face",
             Task::InnerCorner => "task-inner-corner",
             Task::OuterCorner => "task-outer-corner",
+            Task::Angle => "task-angle",
             Task::Ball => "task-ball",
             Task::Length => "task-length",
         }

@@ -1,6 +1,6 @@
 //! What is told of a program of such a control.
 
-use super::{Foreign, ForeignCall, ForeignCycle, ForeignValue, Parameter, Value, control_of, first_line};
+use super::{Foreign, ForeignCall, ForeignCycle, ForeignValue, Page, Parameter, Value, control_of, first_line};
 use crate::diagnostic::{Diagnostic, Edit, Severity};
 use crate::message::Message;
 use crate::own;
@@ -17,7 +17,7 @@ pub fn of_program(source: &[u8]) -> Option<Vec<Diagnostic>> {
     let mut found = vec![about.on(first_line(source))];
     for call in calls.iter().take(MOST) {
         match call.cycle {
-            Some(cycle) => found.extend(of_call(cycle, call)),
+            Some(cycle) => found.extend(of_call(control, cycle, call)),
             None => found.push(unknown(control, call)),
         }
     }
@@ -29,10 +29,22 @@ fn unknown(control: &Foreign, call: &ForeignCall) -> Diagnostic {
     own::FOREIGN_UNKNOWN.finding().text("call", call.name.as_str()).text("control", control.name).on(call.span)
 }
 
+/// What it measures, and why it is not written.
+fn about(control: &Foreign, cycle: &'static ForeignCycle, call: &ForeignCall) -> Diagnostic {
+    let told = Diagnostic::new(Severity::Note, own::FOREIGN_CALL.code(), Message::new(cycle.title()));
+    let told = told.on(call.span);
+    match cycle.unwritten(control) {
+        Some(why) => told.hint(why),
+        None => told,
+    }
+}
+
 /// What it measures, and what is wrong with it.
-fn of_call(cycle: &'static ForeignCycle, call: &ForeignCall) -> Vec<Diagnostic> {
-    let told = Message::new(cycle.title());
-    let mut found = vec![Diagnostic::new(Severity::Note, own::FOREIGN_CALL.code(), told).on(call.span)];
+fn of_call(control: &Foreign, cycle: &'static ForeignCycle, call: &ForeignCall) -> Vec<Diagnostic> {
+    let mut found = vec![about(control, cycle, call)];
+    if cycle.page == Page::Nothing {
+        return found;
+    }
     let missing: Vec<&Parameter> = cycle.parameters.iter().filter(|one| value(call, one.name).is_none()).collect();
     let twice: Vec<&ForeignValue> = call
         .values

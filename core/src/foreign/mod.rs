@@ -13,6 +13,7 @@ pub use write::{Unwritten, written};
 
 use crate::diagnostic::Span;
 use crate::entry::Task;
+use crate::message::Message;
 use crate::range::Range;
 
 /// A control of another maker.
@@ -50,14 +51,27 @@ pub struct ForeignCycle {
     pub text: &'static str,
     /// Stem of its messages.
     pub key: &'static str,
-    /// Where its parameters are published.
+    /// Where its parameters are published; empty: nowhere.
     pub source: &'static str,
-    /// Whether a published page has every value; else it is read and explained, and not written.
-    pub is_written: bool,
+    /// What is published of it.
+    pub page: Page,
     /// What it does.
     pub tasks: &'static [(Task, Aim)],
     /// Its parameters, in their order.
     pub parameters: &'static [Parameter],
+}
+
+/// What is published of a cycle. Only one with a whole page is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Page {
+    /// A page has every value.
+    Whole,
+    /// A page has every value but these.
+    Without(&'static [&'static str]),
+    /// No page: a post processor tells the order.
+    Order,
+    /// Its name and what it does alone.
+    Nothing,
 }
 
 /// What comes of a measurement.
@@ -154,6 +168,35 @@ impl ForeignCycle {
     /// A parameter by its name.
     pub fn parameter(&self, name: &str) -> Option<&'static Parameter> {
         self.parameters.iter().find(|one| one.name.eq_ignore_ascii_case(name))
+    }
+
+    /// Whether calls are written.
+    pub fn is_written(&self) -> bool {
+        self.page == Page::Whole
+    }
+
+    /// Whether a published page of the cycle has this parameter.
+    fn has_on_page(&self, name: &str) -> bool {
+        match self.page {
+            Page::Whole => self.parameter(name).is_some(),
+            Page::Without(lacking) => self.parameter(name).is_some() && !lacking.contains(&name),
+            Page::Order | Page::Nothing => false,
+        }
+    }
+
+    /// Why calls are not written. A parameter has one meaning in all cycles, so that any page tells its values.
+    pub fn unwritten(&self, control: &Foreign) -> Option<Message> {
+        let on_no_page = |one: &&Parameter| !control.cycles.iter().any(|cycle| cycle.has_on_page(one.name));
+        let unknown: Vec<&str> = self.parameters.iter().filter(on_no_page).map(|one| one.name).collect();
+        let (key, names) = match self.page {
+            Page::Whole => return None,
+            Page::Without(lacking) => ("foreign-unwritten-lacks", lacking),
+            Page::Order if unknown.is_empty() => ("foreign-unwritten-order", &[][..]),
+            Page::Order => ("foreign-unwritten-values", &unknown[..]),
+            Page::Nothing => ("foreign-unwritten-nothing", &[][..]),
+        };
+        let why = Message::new(key).text("cycle", self.name);
+        Some(if names.is_empty() { why } else { why.text("names", names.join(", ")) })
     }
 
     /// Key of what it does.

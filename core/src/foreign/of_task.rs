@@ -39,13 +39,23 @@ const CARRIED: &[Meaning] = &[
     Meaning::Tool,
 ];
 
+impl OfTask {
+    fn without_values(cycle: &'static ForeignCycle) -> OfTask {
+        let (values, assumed, usual) = (Vec::new(), Vec::new(), Vec::new());
+        OfTask { cycle, values, assumed, usual, height: 0.0, clearance: 0.0, carried: CARRIED }
+    }
+}
+
 /// A measurement on such a control; none: it has no cycle for it, or no set value is known.
 pub fn of_task(control: &Foreign, measurement: &Measurement, units: Units) -> Option<OfTask> {
     let aim = if measurement.zero.is_some() { Aim::Datum } else { Aim::Measure };
     let cycle = control.cycles.iter().find(|cycle| cycle.tasks.contains(&(measurement.task, aim)))?;
-    let sizes = measurement.sides.or(measurement.nominal.map(|nominal| [nominal; 2]))?;
-    let [nominal, _] = sizes;
     let clearance = start(units);
+    let Some(sizes) = measurement.sides.or(measurement.nominal.map(|nominal| [nominal; 2])) else {
+        // a corner or an angle has no size, and nothing of it is written
+        return (!cycle.is_written()).then(|| OfTask::without_values(cycle));
+    };
+    let [nominal, _] = sizes;
     let above = measurement.task == Task::Face;
     // a hole is measured where the probe stands: half of the start's height below the zero point
     let height = if above { nominal } else { measurement.depth.unwrap_or(-clearance / 2.0) };
@@ -53,6 +63,10 @@ pub fn of_task(control: &Foreign, measurement: &Measurement, units: Units) -> Op
     let half = measurement.half;
     let (mut values, mut assumed, mut usual) = (Vec::new(), Vec::new(), Vec::new());
     for parameter in cycle.parameters {
+        let mut common = |value: f64| {
+            usual.push(parameter.name);
+            value
+        };
         let mut assume = |value: f64| {
             assumed.push(parameter.name);
             value
@@ -62,18 +76,15 @@ pub fn of_task(control: &Foreign, measurement: &Measurement, units: Units) -> Op
             Value::Point(at) if at == axis => nominal,
             Value::Point(_) => assume(0.0),
             Value::Nominal(side) => sizes[side.min(1)],
-            Value::Maximum(side) => half.map_or(0.0, |half| sizes[side.min(1)] + half),
-            Value::Minimum(side) => half.map_or(0.0, |half| sizes[side.min(1)] - half),
+            Value::Maximum(side) => half.map_or_else(|| common(0.0), |half| sizes[side.min(1)] + half),
+            Value::Minimum(side) => half.map_or_else(|| common(0.0), |half| sizes[side.min(1)] - half),
             Value::Axis => axis as f64 + 1.0,
             Value::Direction => assume(if above || nominal < 0.0 { -1.0 } else { 1.0 }),
             Value::Height if above || has_depth(measurement.task) && measurement.depth.is_some() => height,
             Value::Height => assume(height),
             Value::Clearance => assume(clearance),
-            Value::Tool => measurement.tool.map_or(0.0, |tool| tool as f64),
-            Value::Usual(value) => {
-                usual.push(parameter.name);
-                value
-            }
+            Value::Tool => measurement.tool.map_or_else(|| common(0.0), |tool| tool as f64),
+            Value::Usual(value) => common(value),
             Value::Own => continue,
         };
         values.push((parameter.name, value));

@@ -84,7 +84,7 @@ fn every_way_of_writing_is_the_same_call() {
 #[test]
 fn what_is_written_reads_back() {
     let mut seen = 0;
-    for one in tnc::CONTROL.cycles.iter().filter(|one| one.is_written) {
+    for one in tnc::CONTROL.cycles.iter().filter(|one| one.is_written()) {
         let typed: BTreeMap<String, String> = one
             .parameters
             .iter()
@@ -118,7 +118,20 @@ fn wanted(parameter: &Parameter, at: i32) -> f64 {
 fn what_is_not_known_is_not_written() {
     let none = BTreeMap::new();
     let write = |name: &str, values: &BTreeMap<String, String>| written(&tnc::CONTROL, cycle(name), values);
-    assert_eq!(write("TCH PROBE 422", &none), Err(Unwritten::Unpublished));
+    for (name, key, names) in [
+        ("TCH PROBE 422", "foreign-unwritten-values", Some("Q277, Q278")),
+        ("TCH PROBE 424", "foreign-unwritten-order", None),
+        ("TCH PROBE 430", "foreign-unwritten-lacks", Some("Q281, Q309, Q330")),
+        ("TCH PROBE 415", "foreign-unwritten-nothing", None),
+    ] {
+        let Err(Unwritten::Unpublished(why)) = write(name, &none) else { panic!("{name}") };
+        assert_eq!((&*why.key, why.word("cycle"), why.word("names")), (key, Some(name), names));
+        let read = format!("{name} X ~\n  Q263=+1 ;X\n");
+        let found = of_program(read.as_bytes()).unwrap();
+        assert!(found.iter().any(|one| one.hint.as_ref() == Some(&why)), "{name}");
+        let lacks = found.iter().any(|one| one.message.key == "foreign-missing");
+        assert_eq!(lacks, name != "TCH PROBE 415");
+    }
     let Err(Unwritten::Missing(names)) = write("TCH PROBE 423", &none) else { panic!() };
     assert_eq!(names, ["Q273", "Q274", "Q282", "Q283", "Q261", "Q260"]);
     let with = |name: &str, value: &str| BTreeMap::from([(name.to_owned(), value.to_owned())]);
@@ -220,7 +233,7 @@ fn the_tables_are_whole() {
         for cycle in control.cycles {
             let names: BTreeSet<&str> = cycle.parameters.iter().map(|one| one.name).collect();
             assert_eq!(names.len(), cycle.parameters.len(), "{}", cycle.name);
-            assert!(!cycle.source.is_empty());
+            assert_eq!(cycle.source.is_empty(), cycle.page == Page::Nothing, "{}", cycle.name);
         }
         let tasks: Vec<_> = control.cycles.iter().flat_map(|cycle| cycle.tasks).collect();
         let once = tasks.iter().enumerate().all(|(at, task)| !tasks[..at].contains(task));

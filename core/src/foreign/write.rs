@@ -1,13 +1,14 @@
 //! The text of a call.
 
 use super::{Foreign, ForeignCycle, Parameter, Value};
+use crate::message::Message;
 use std::collections::BTreeMap;
 
 /// Why a call is not written.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Unwritten {
-    /// No published page has every value of the cycle.
-    Unpublished,
+    /// Not enough of the cycle is published: why.
+    Unpublished(Message),
     /// It has no such parameter.
     Unknown(String),
     /// What stands at a parameter is no number.
@@ -27,8 +28,8 @@ pub fn written(
     cycle: &'static ForeignCycle,
     typed: &BTreeMap<String, String>,
 ) -> Result<String, Unwritten> {
-    if !cycle.is_written {
-        return Err(Unwritten::Unpublished);
+    if let Some(why) = cycle.unwritten(control) {
+        return Err(Unwritten::Unpublished(why));
     }
     if let Some(name) = typed.keys().find(|name| cycle.parameter(name).is_none()) {
         return Err(Unwritten::Unknown(name.clone()));

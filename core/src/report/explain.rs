@@ -63,9 +63,13 @@ pub fn datum(asked: &str, words: &Words) -> String {
     }
     for (name, source, mut lines) in machine::told(|name| means(asked, name), words) {
         lines.extend(versions(name.split(' ').next().unwrap_or_default()).map(|found| version(found, words)));
-        tell(format!("{name}: {}", lines.join("\n  ")), Cited(source).to_string());
+        let whose = if source.is_empty() { String::new() } else { Cited(source).to_string() };
+        tell(format!("{name}: {}", lines.join("\n  ")), whose);
     }
-    let paragraph = |(meaning, owners): (String, Vec<String>)| format!("{meaning}\n  {}\n", owners.join(", "));
+    let paragraph = |(meaning, owners): (String, Vec<String>)| match owners.join(", ") {
+        none if none.is_empty() => format!("{meaning}\n"),
+        owners => format!("{meaning}\n  {owners}\n"),
+    };
     told.into_iter().map(paragraph).collect()
 }
 

@@ -13,7 +13,12 @@ pub fn cycle(asked: &str, words: &Words) -> String {
     for parameter in cycle.parameters {
         let _ = writeln!(text, "{:>8}  {}", parameter.name, words.key(parameter.key));
     }
-    let _ = writeln!(text, "{}", words.text(&Message::new("foreign-source").source(cycle.source)));
+    if let Some(why) = cycle.unwritten(control) {
+        let _ = writeln!(text, "{}", words.text(&why));
+    }
+    if !cycle.source.is_empty() {
+        let _ = writeln!(text, "{}", words.text(&Message::new("foreign-source").source(cycle.source)));
+    }
     text
 }
 
@@ -37,10 +42,10 @@ pub fn section(text: &mut String, words: &Words) {
         let title = words.text(&Message::new("report-foreign").text("control", control.name));
         line(text, &format!("## {title}"));
         let cycles = control.cycles.iter().map(|cycle| {
-            let written = if cycle.is_written { "foreign-written" } else { "foreign-unwritten" };
+            let written = cycle.unwritten(control).unwrap_or_else(|| Message::new("foreign-written"));
             let names: Vec<&str> = cycle.parameters.iter().map(|one| one.name).collect();
             let name = format!("`{}`", cycle.name);
-            [name, words.key(cycle.title()), names.join(" "), words.key(written), cycle.source.to_owned()]
+            [name, words.key(cycle.title()), names.join(" "), words.text(&written), cycle.source.to_owned()]
         });
         rows(text, ["name", "meaning", "read", "written", "source"], cycles, words);
         line(text, &words.key(control.unpublished));

@@ -7,7 +7,7 @@ use crate::catalogue::newer::arguments::Argument;
 use crate::catalogue::{CYCLES, alarms};
 use crate::control::setting_data::SETTING_DATA;
 use crate::entry::{ArgumentList, When};
-use crate::message::Message;
+use crate::message::{Arg, Message};
 use crate::report::foreign;
 use crate::report::markdown::{line, rows, table};
 use crate::words::Words;
@@ -60,7 +60,11 @@ fn summary(list: &'static ArgumentList, words: &Words) -> [String; 5] {
     };
     let reason = if entry.is_some() { "generations-digits" } else { "generations-no-counterpart" };
     let done = |key: &'static str| {
-        let with = || words.text(&Message::new(key).text("variants", variants.clone()));
+        let with = || {
+            let message = Message { args: vec![("variants", Arg::Text(variants.clone()))], ..Message::new(key) };
+            let tool = Argument::all(list).any(|one| one.name == "S_KNUM1").then(|| words.key("generations-no-tool"));
+            [words.text(&message)].into_iter().chain(tool).collect::<Vec<_>>().join(" ")
+        };
         if variants.is_empty() { words.key(reason) } else { with() }
     };
     [

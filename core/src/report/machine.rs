@@ -34,19 +34,26 @@ fn user_data(text: &mut String, subject: &'static Subject, words: &Words) {
     let title = words.key(format!("machine-group-{}", subject.key));
     let columns = ["name", "meaning", "block", "type", "default", "unit", "range", "source"];
     let own = match subject.key {
-        gud::MASKS => vec![
-            ours(GENERATION, "datum-pw-generation", &[0, 1, 2, 3], words),
-            ours(support::FORMS, support::FORMS_KEY, &[0, 1], words),
-        ],
-        gud::JOG => vec![ours(OLDER_JOG, "datum-pw-jog", &[0, 1], words)],
-        _ => Vec::new(),
+        gud::MASKS => &OURS[..2],
+        gud::JOG => &OURS[2..],
+        _ => &[],
     };
+    let own = own.iter().map(|one| ours(one, words));
     let of_datum = |gud: &'static Gud| gud.elements.iter().map(move |element| cells(gud, element, words));
-    table(text, &title, columns, own.into_iter().chain(subject.data.iter().flat_map(of_datum)), words);
+    table(text, &title, columns, own.chain(subject.data.iter().flat_map(of_datum)), words);
 }
 
-/// A setting of ours that is one of these numbers.
-fn ours(name: &str, key: &str, choices: &[i64], words: &Words) -> [String; 8] {
+/// A setting of ours: its name, key, and the numbers that it can be.
+type Ours = (&'static str, &'static str, &'static [i64]);
+
+/// Those of the masks, then that of measuring in JOG.
+const OURS: [Ours; 3] = [
+    (GENERATION, "datum-pw-generation", &[0, 1, 2, 3]),
+    (support::FORMS, support::FORMS_KEY, &[0, 1]),
+    (OLDER_JOG, "datum-pw-jog", &[0, 1]),
+];
+
+fn ours((name, key, choices): &Ours, words: &Words) -> [String; 8] {
     let (name, meaning) = (format!("`{name}`"), meaning(key, choices, words));
     [&name, &meaning, &words.key("report-own-setting"), "", "0", "", "", ""].map(str::to_owned)
 }
@@ -106,7 +113,8 @@ pub fn told(asked: impl Fn(&str) -> bool, words: &Words) -> Vec<(String, &'stati
         .iter()
         .flat_map(|subject| subject.data)
         .map(|datum| (datum.name.to_owned(), datum.element.source, datum.key(), datum.element.choices));
-    let named = elements.chain(nct).filter(|(name, ..)| asked(name));
+    let own = OURS.iter().map(|(name, key, choices)| ((*name).to_owned(), "", (*key).to_owned(), *choices));
+    let named = elements.chain(nct).chain(own).filter(|(name, ..)| asked(name));
     named.chain(machine).map(|(name, source, key, choices)| (name, source, lines(&key, choices, words))).collect()
 }
 

@@ -51,7 +51,11 @@ fn without(run: &mut Interpreter, call: &Call) -> Result<bool, Halt> {
     if let Some(finding) = many.or_else(unmatched) {
         return Err(stopped(run, call, &call.name, finding));
     }
-    match list::newer_alone(&call.name).filter(|_| !call.args.is_empty()) {
+    let alone = list::newer_alone(&call.name).filter(|_| !call.args.is_empty());
+    if let Some((list, _)) = alone {
+        run.diagnostics.push(own::NEWER_ALONE.finding().text("cycle", list.name).on(call.span));
+    }
+    match alone {
         // it writes what it was given on a screen or into a file
         Some((list, false)) => {
             run.tell(Severity::Warning, &Problem::new("run-not-simulated", call.span, list.name));

@@ -152,6 +152,16 @@ fn completion_knows_the_lists_of_newer_controls() {
     );
     let outline = client.ask("textDocument/documentSymbol", json!({ "textDocument": { "uri": URI } }));
     assert_eq!(outline[0]["name"], "CYCLE996");
+    let told = client.at("textDocument/hover", URI, other, "CYCLE996", 3);
+    assert!(told["contents"]["value"].as_str().unwrap().contains("CYCLE996"), "{told}");
+    // in a bracket that is still open the call behind it says nothing
+    let open = "G0 X0\nCYCLE978(\nCYCLE977(101,1,,1,50)\nM30\n";
+    client.tell(
+        "textDocument/didChange",
+        json!({ "textDocument": { "uri": URI, "version": 3 },
+        "contentChanges": [{ "text": open }] }),
+    );
+    assert_eq!(labels(&client.at("textDocument/completion", URI, open, "CYCLE978(", 9)), ["0", "100"]);
 }
 
 // oracle: manual (TNC 320 9/2016, p. 396: cycle 423 and its parameters), hand
@@ -172,6 +182,9 @@ fn a_program_that_is_not_run_is_told_completed_and_outlined() {
     let cycles = ask("textDocument/completion", "2 TC", 4);
     assert!(labels(&cycles).contains(&"TCH PROBE 412"), "{cycles}");
     assert_eq!(within(TNC, &cycles["items"][0]["textEdit"]["range"]), "TC");
+    assert!(!labels(&cycles).contains(&"TCH PROBE 414"), "nothing is published of it");
+    let told = ask("textDocument/hover", "PROBE 423", 2);
+    assert!(told["contents"]["value"].as_str().unwrap().contains("rectangular pocket"), "{told}");
     let told = ask("textDocument/hover", "Q273=", 2);
     assert!(told["contents"]["value"].as_str().unwrap().contains("Centre, 1st axis"), "{told}");
     let outline = client.ask("textDocument/documentSymbol", json!({ "textDocument": { "uri": "file:///a.h" } }));

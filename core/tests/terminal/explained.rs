@@ -53,6 +53,9 @@ fn explain_knows_cycles_variants_data_and_alarms() {
         ("SD54600", "On older controls: _WP[k,0]\n"),
         ("$SNS_MEA_WP_BALL_DIAM", "SD54600 $SNS_MEA_WP_BALL_DIAM: "),
         ("G430", "TCH PROBE 430 (HEIDENHAIN TNC): "),
+        ("TCH PROBE 415", "TCH PROBE 415 is not published"),
+        ("PW-GENERATION", "PW-GENERATION: "),
+        ("pw-jog", "PW-JOG: "),
     ] {
         let told = explained(&[name]);
         assert!(told.contains(said), "{told}");

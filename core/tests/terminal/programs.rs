@@ -33,6 +33,34 @@ fn write_refuses_a_tool_target_in_the_list_of_newer_controls() {
     assert_eq!(out(&output), "");
 }
 
+// oracle: peer (calls of machine users: arguments 2, 9, 13, 19, 21 and 22 of CYCLE978; digits of other lists are not
+// published)
+#[test]
+fn write_takes_the_arguments_of_newer_controls_by_name() {
+    let write = |values: &[&str]| probewright(&[&["write", "--style", "operate"], values].concat());
+    let values = ["S_MVAR=100", "S_SETV=-55", "_FA=15", "_MA=1", "S_MD=2", "S_TZL=0.02", "_AMODE=11"];
+    for zero in ["10001", "9000", "9999", "19999", "1"] {
+        let zero = format!("S_KNUM={zero}");
+        let output = write(&[&["CYCLE978"], &values[..], &[&zero]].concat());
+        assert!(output.status.success(), "{}", err(&output));
+        let call = format!("CYCLE978(100,{},,1,-55,15,2,1,2,1,", zero.trim_start_matches("S_KNUM="));
+        assert!(out(&output).starts_with(&call), "{}", out(&output));
+        assert!(out(&output).contains(",0.02,") && out(&output).ends_with(",1,11)\n"), "{}", out(&output));
+    }
+    for (asked, said) in [
+        (&["CYCLE978", "S_MD=7"][..], "S_MD has no value 7"),
+        (&["CYCLE977", "S_KNUM1=3"], "S_KNUM1 is not written: its digits are not published"),
+        (&["CYCLE979", "_MVAR=1"], "the digits of argument 1 are not published"),
+        (&["CYCLE998", "_MVAR=106"], "Variant 106 of CYCLE998"),
+        (&["CYCLE996"], "older controls have no such cycle"),
+        (&["TCH PROBE 430"], "no published page shows Q281, Q309, Q330 of this cycle and their order"),
+        (&["TCH PROBE 416"], "no public document that was found has its values"),
+    ] {
+        let output = write(asked);
+        assert!(!output.status.success() && err(&output).contains(said), "{asked:?} {}", err(&output));
+    }
+}
+
 // oracle: issue text
 #[test]
 fn check_names_file_line_and_column() {

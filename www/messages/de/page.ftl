@@ -590,14 +590,18 @@ found-connection = Anschlüsse ({ $count })
 found-concept = Konzepte ({ $count })
 found-term = Begriffe ({ $count })
 found-alarm = Alarme ({ $count })
+found-elsewhere = Neuere Steuerungen, andere Hersteller ({ $count })
 found-more = Weitere Treffer: { $count }. Ein zusätzliches Wort grenzt die Suche ein.
 
 card-result = Ergebnis { $code }
 card-alarm = Alarm { $code }
+card-elsewhere = { $code }
 card-cause = Ursache
 card-cure = Abhilfe
 card-result-cycles = Geliefert von
 card-alarm-cycles = Gemeldet von
+card-elsewhere-cycles = Aufrufe damit
+card-parts = Argumente und Parameter
 card-close = Schließen
 
 twin-open = Dieselbe Aufgabe auf anderen Steuerungen
@@ -887,6 +891,7 @@ palette-connection = Anschlüsse
 palette-concept = Konzepte
 palette-term = Begriffe
 palette-alarm = Alarme
+palette-elsewhere = Neuere Steuerungen, andere Hersteller
 palette-finding = Meldungen
 palette-help = Hilfeseiten
 palette-datum = Anwender- und Maschinendaten

@@ -581,14 +581,18 @@ found-connection = Connections ({ $count })
 found-concept = Concepts ({ $count })
 found-term = Terms ({ $count })
 found-alarm = Alarms ({ $count })
+found-elsewhere = Newer controls, other makers ({ $count })
 found-more = { $count } more. Add a word to narrow the search.
 
 card-result = Result { $code }
 card-alarm = Alarm { $code }
+card-elsewhere = { $code }
 card-cause = Cause
 card-cure = Remedy
 card-result-cycles = Returned by
 card-alarm-cycles = Raised by
+card-elsewhere-cycles = Calls with it
+card-parts = Arguments and parameters
 card-close = Close
 
 twin-open = The same task on other controls
@@ -872,6 +876,7 @@ palette-connection = Connections
 palette-concept = Concepts
 palette-term = Terms
 palette-alarm = Alarms
+palette-elsewhere = Newer controls, other makers
 palette-finding = Problems
 palette-help = Help pages
 palette-datum = User and machine data

@@ -574,14 +574,18 @@ found-connection = 接口（{ $count }）
 found-concept = 概念（{ $count }）
 found-term = 术语（{ $count }）
 found-alarm = 报警（{ $count }）
+found-elsewhere = 新版控制系统和其他厂家（{ $count }）
 found-more = 还有 { $count } 个。再加一个词可缩小范围。
 
 card-result = 结果 { $code }
 card-alarm = 报警 { $code }
+card-elsewhere = { $code }
 card-cause = 原因
 card-cure = 措施
 card-result-cycles = 由以下循环给出
 card-alarm-cycles = 由以下循环引发
+card-elsewhere-cycles = 含有它的调用
+card-parts = 参数
 card-close = 关闭
 
 twin-open = 其他控制系统上的同一任务
@@ -843,6 +847,7 @@ palette-connection = 接口
 palette-concept = 概念
 palette-term = 术语
 palette-alarm = 报警
+palette-elsewhere = 新版控制系统和其他厂家
 palette-finding = 问题
 palette-help = 帮助页
 palette-datum = 用户数据和机床数据

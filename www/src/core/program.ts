@@ -22,6 +22,7 @@ import type {
   DefinitionsRequest,
   DefinitionsView,
   Dialect,
+  Elsewhere,
   EquipRequest,
   EquipView,
   FormRequest,
@@ -129,6 +130,7 @@ export interface ProgramCore extends FormCore {
   cure(request: CureRequest): CuredAll;
   catalogue(): Catalogue; // of all cycles
   alarms(): AlarmInfo[];
+  elsewhere(): Elsewhere[];
   help(request: HelpRequest): HelpView;
   commissioning(): CommissioningView; // with the words of the help pages
   /** `why`: the machine cannot be. */
@@ -360,5 +362,6 @@ export async function loadProgramCore(): Promise<ProgramCore> {
     machine: request => JSON.parse(call("machine", () => wasm.machine(JSON.stringify(request)))) as MachineView,
     catalogue: () => JSON.parse(call("catalogue", () => wasm.catalogue())) as Catalogue,
     alarms: () => JSON.parse(call("alarms", () => wasm.alarms())) as AlarmInfo[],
+    elsewhere: () => JSON.parse(call("elsewhere", () => wasm.elsewhere())) as Elsewhere[],
   };
 }

@@ -61,7 +61,7 @@ export interface Parts {
   scanner: Scanner;
   continuing: Choices;
   goToField(control: Dialect, name: string): void;
-  modules: Pick<Modules, "program" | "alarms" | "full">;
+  modules: Pick<Modules, "program" | "alarms" | "elsewhere" | "full">;
 }
 
 export interface Bench {
@@ -102,7 +102,7 @@ export function createBench(parts: Parts): Bench {
   const continuing = createContinuing(parts.continuing, stop.signal);
   document.body.append(sets.dialog, card.dialog, keys, continuing.dialog);
   const found = (back: () => void) =>
-    createFound(parts.catalogue, parts.modules.alarms, store, actions, parts.goToField, back);
+    createFound(parts.catalogue, parts.modules, store, actions, parts.goToField, back);
   const { file, text, calls, motions } = activities;
   program.head.after(refusals[0].root, file.root, text.root, calls.root);
   layout.header.after(refusals[1].root, newer.root);
@@ -204,7 +204,7 @@ export function createBench(parts: Parts): Bench {
         actions,
         {
           catalogue: parts.catalogue,
-          alarms: parts.modules.alarms,
+          tables: parts.modules,
           core,
           commands,
           goTo: program.goTo,

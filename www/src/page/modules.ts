@@ -4,13 +4,14 @@ import { type FormCore, firstCore } from "../core/core";
 import type { ProgramCore } from "../core/program";
 import { knowTerms } from "../glossary";
 import { allWords, laterWords } from "../texts";
-import type { AlarmInfo, Catalogue } from "../wire";
+import type { AlarmInfo, Catalogue, Elsewhere } from "../wire";
 
 export interface Modules {
   /** What answers about forms: the core as soon as it is there. */
   readonly forms: FormCore;
   readonly program: ProgramCore | null;
   readonly alarms: Promise<AlarmInfo[]>;
+  readonly elsewhere: Promise<Elsewhere[]>;
   /** What can be measured; until the core is listed, by the first visit alone. */
   readonly catalogue: Catalogue;
   /** Fetches the core, once; where that fails, whoever asks next tries again. The catalogue stays as it is. */
@@ -64,6 +65,7 @@ export function createModules(answers: () => void): Modules {
     },
     catalogue,
     alarms: coming.then(part => part.alarms()),
+    elsewhere: coming.then(part => part.elsewhere()),
     bring,
     async full() {
       const part = await bring();

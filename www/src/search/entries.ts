@@ -3,12 +3,12 @@
 
 import type { Variant } from "../desk/variants";
 import { inEach, inEnglish, optional, t } from "../texts";
-import type { AlarmInfo, Catalogue, CycleInfo, Dialect, ExplainedInfo, ExplainedKind } from "../wire";
+import type { AlarmInfo, Catalogue, CycleInfo, Dialect, Elsewhere, ExplainedInfo, ExplainedKind } from "../wire";
 
-export type Kind = "measurement" | "around" | "parameter" | "result" | "alarm" | "guide" | ExplainedKind;
+export type Kind = "measurement" | "around" | "parameter" | "result" | "alarm" | "elsewhere" | "guide" | ExplainedKind;
 /** In the order in which they are shown where they fit equally well. */
 export const KINDS: Kind[] = [
-  ...(["measurement", "around", "parameter", "result", "alarm", "guide"] as const),
+  ...(["measurement", "around", "parameter", "result", "alarm", "elsewhere", "guide"] as const),
   ...(["connection", "concept", "term"] as const),
 ];
 
@@ -25,6 +25,7 @@ export interface Entry {
   cycles: CycleInfo[]; // that have it
   others: string[]; // other programs that have it
   variant?: Variant;
+  told?: Elsewhere; // of a newer control or of another maker's
 }
 type Found = Omit<Entry, "id">;
 
@@ -107,6 +108,21 @@ function ofAlarm(cycles: readonly CycleInfo[], { code, key, cycles: names }: Ala
   };
 }
 
+/** What only newer controls and those of other makers have: whatever the machine in use is, it is found. */
+const ofElsewhere = (told: Elsewhere): Found => ({
+  kind: told.alarm ? "alarm" : "elsewhere",
+  control: null,
+  code: told.code,
+  key: told.key,
+  title: t(told.key),
+  words: `${told.words} ${optional(told.help)}`,
+  names: inEach(told.key),
+  foreign: "",
+  cycles: [],
+  others: told.owners,
+  told,
+});
+
 /** A block around a call, by the name that the terminal has for it. */
 const block = ({ control, name, key }: Catalogue["around"][number]): Found => ({
   kind: "around",
@@ -152,7 +168,11 @@ const explanation = ({ kind, code, key }: ExplainedInfo): Found => ({
   others: [],
 });
 
-export function entries({ cycles, around, guides, explained }: Catalogue, alarms: readonly AlarmInfo[]): Entry[] {
+export function entries(
+  { cycles, around, guides, explained }: Catalogue,
+  alarms: readonly AlarmInfo[],
+  elsewhere: readonly Elsewhere[],
+): Entry[] {
   const all = [
     ...cycles.flatMap(measurements),
     ...shared(cycles, ({ control, parameters }) =>
@@ -181,6 +201,7 @@ export function entries({ cycles, around, guides, explained }: Catalogue, alarms
     ),
     ...around.map(block),
     ...alarms.map(alarm => ofAlarm(cycles, alarm)),
+    ...elsewhere.map(ofElsewhere),
     ...guides.map(guide),
     ...explained.map(explanation),
   ];

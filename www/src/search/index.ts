@@ -2,7 +2,7 @@
 // written on the control counts most. A word of letters may have a slip in it.
 
 import MiniSearch from "minisearch";
-import type { AlarmInfo, Catalogue, Dialect } from "../wire";
+import type { AlarmInfo, Catalogue, Dialect, Elsewhere } from "../wire";
 import { type Entry, entries, KINDS, type Kind } from "./entries";
 import { plainWord, words } from "./words";
 
@@ -20,6 +20,12 @@ export interface Group {
 /** `control`: the one in use, whose entries come before as good ones of another. */
 export type Search = (text: string, control: Dialect) => Group[];
 
+/** What comes with the core and is searched too. */
+export interface Tables {
+  readonly alarms: Promise<AlarmInfo[]>;
+  readonly elsewhere: Promise<Elsewhere[]>;
+}
+
 const PREFIX_FROM = 4; // letters: shorter words stand for themselves, but the last, which is still being typed
 const OWN_CONTROL = 8; // times as much as another
 const CALIBRATES = 0.5; // who looks for a bore measures one more often than he calibrates in one, or says calibrate
@@ -29,8 +35,12 @@ const SLIP_FROM = 5; // letters: shorter words are too near to each other
 
 const OWN_WORDS = ["code", "title", "words"]; // what the control and the language of the page say
 
-export function createSearch(catalogue: Catalogue, alarms: readonly AlarmInfo[]): Search {
-  const all = entries(catalogue, alarms);
+export function createSearch(
+  catalogue: Catalogue,
+  alarms: readonly AlarmInfo[],
+  elsewhere: readonly Elsewhere[] = [],
+): Search {
+  const all = entries(catalogue, alarms, elsewhere);
   const index = new MiniSearch<Entry>({
     fields: [...OWN_WORDS, "names", "foreign"],
     tokenize: words,

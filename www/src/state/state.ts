@@ -17,6 +17,7 @@ import type {
   Diagnostic,
   Dialect,
   Edit,
+  Elsewhere,
   ErrorSliders,
   Message,
   OwnMachine,
@@ -75,11 +76,12 @@ export interface ConvertedCall {
 }
 /** What a card tells about: a result or an alarm as written on the control, the stem of its messages, who has it. */
 export interface Card {
-  kind: "result" | "alarm";
+  kind: "result" | "alarm" | "elsewhere";
   code: string;
   key: string;
   cycles: CycleInfo[];
   others: string[];
+  told?: Elsewhere; // of a newer control or of another maker's
 }
 /** A value that was taken away: the key of what it was a code of; none: the new variant does not take it. */
 export interface Reset {

@@ -3,7 +3,7 @@
 import type { Actions } from "../desk/actions";
 import { el, on, setText, show } from "../dom";
 import type { Card, State } from "../state/state";
-import { listed, optional, t } from "../texts";
+import { listed, optional, say, t } from "../texts";
 import type { CycleInfo } from "../wire";
 
 export interface CardView {
@@ -29,6 +29,9 @@ export function createCard(actions: Actions): CardView {
   const meaning = el("p", { class: "card-meaning" });
   const cause = told("card-cause");
   const cure = told("card-cure");
+  const lines = el("div", {});
+  const partsTitle = el("h3", {}, t("card-parts"));
+  const parts = el("ul", { class: "card-parts" });
   const cyclesTitle = el("h3", {});
   const cycles = el("ul", { class: "card-cycles" });
   const others = el("p", {});
@@ -40,6 +43,9 @@ export function createCard(actions: Actions): CardView {
     meaning,
     ...cause.parts,
     ...cure.parts,
+    lines,
+    partsTitle,
+    parts,
     cyclesTitle,
     cycles,
     others,
@@ -64,11 +70,17 @@ export function createCard(actions: Actions): CardView {
     return el("li", {}, open);
   };
   const fill = (card: Card): void => {
-    const { kind, code, key } = card;
+    const { kind, code, key, told } = card;
     setText(title, t(`card-${kind}`, { code }));
     setText(meaning, t(key));
     cause.set(optional(`${key}.cause`));
     cure.set(optional(`${key}.cure`));
+    const help = told ? optional(told.help) : "";
+    lines.replaceChildren(...[help, ...(told?.lines ?? []).map(say)].filter(Boolean).map(line => el("p", {}, line)));
+    show(partsTitle, !!told?.parts.length);
+    parts.replaceChildren(
+      ...(told?.parts ?? []).map(part => el("li", {}, el("code", {}, part.name), ` ${t(part.key)}`)),
+    );
     show(cyclesTitle, card.cycles.length + card.others.length > 0);
     setText(cyclesTitle, t(`card-${kind}-cycles`));
     cycles.replaceChildren(...card.cycles.map(entry));

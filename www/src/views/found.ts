@@ -5,12 +5,12 @@ import type { Actions } from "../desk/actions";
 import { el, on, setAttribute, setText, show } from "../dom";
 import { isExplained, openGuide } from "../guide";
 import { type Command, meantBy } from "../keys";
-import type { Group, Hit, Search } from "../search";
+import type { Group, Hit, Search, Tables } from "../search";
 import { pieces } from "../search/words";
 import type { State } from "../state/state";
 import type { Store } from "../state/store";
 import { everyLanguage, t } from "../texts";
-import type { AlarmInfo, Catalogue, Dialect } from "../wire";
+import type { Catalogue, Dialect } from "../wire";
 
 const MOST = 40; // hits of a group that are listed; more say nothing
 
@@ -42,7 +42,7 @@ function button(hit: Hit, pick: (hit: Hit) => void): HTMLElement {
 
 export function createFound(
   catalogue: Catalogue,
-  alarms: Promise<AlarmInfo[]>,
+  tables: Tables,
   store: Store,
   actions: Actions,
   goToField: (control: Dialect, name: string) => void,
@@ -56,10 +56,11 @@ export function createFound(
   let shown = "";
 
   const pick = ({ entry }: Hit): void => {
-    const { kind, code, key, variant, cycles, others } = entry;
+    const { kind, code, key, variant, cycles, others, told } = entry;
     const [cycle] = cycles;
     if (isExplained(kind)) openGuide(key);
-    else if (kind === "result" || kind === "alarm") actions.card({ kind, code, key, cycles, others });
+    else if (kind === "result" || kind === "alarm" || kind === "elsewhere")
+      actions.card({ kind, code, key, cycles, others, ...(told ? { told } : {}) });
     else if (kind === "around") {
       actions.panel("form");
       actions.around(code);
@@ -94,10 +95,12 @@ export function createFound(
     if (loading) return;
     loading = true;
     const named = everyLanguage().catch(console.warn); // without them it finds what the page's own words say
-    void Promise.all([import("../search"), alarms, named]).then(([{ createSearch }, known]) => {
-      search = createSearch(catalogue, known);
-      store.update({});
-    });
+    void Promise.all([import("../search"), tables.alarms, tables.elsewhere, named]).then(
+      ([{ createSearch }, known, elsewhere]) => {
+        search = createSearch(catalogue, known, elsewhere);
+        store.update({});
+      },
+    );
   };
   return {
     root,

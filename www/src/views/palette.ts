@@ -7,12 +7,12 @@ import type { Derived } from "../desk/derive";
 import { el, on, setAttribute, setText, show } from "../dom";
 import { isExplained, openGuide } from "../guide";
 import { type Command, meantBy } from "../keys";
-import type { Hit, Search } from "../search";
+import type { Hit, Search, Tables } from "../search";
 import { pieces, plainWord, words } from "../search/words";
 import { machine, type State } from "../state/state";
 import type { Store } from "../state/store";
 import { everyLanguage, say, t } from "../texts";
-import type { AlarmInfo, Catalogue, Dialect } from "../wire";
+import type { Catalogue, Dialect } from "../wire";
 import { keyLabel } from "./keys";
 
 const MOST = 8; // entries of a group
@@ -44,7 +44,7 @@ interface Section {
 /** What the palette leads to. */
 export interface Leads {
   catalogue: Catalogue;
-  alarms: Promise<AlarmInfo[]>;
+  tables: Tables;
   core(): ProgramCore | null;
   commands(derived: Derived): PageCommand[];
   goTo(offset: number): void;
@@ -113,10 +113,12 @@ export function createPalette(store: Store, actions: Actions, leads: Leads, now:
     if (coming) return;
     coming = true;
     const named = everyLanguage().catch(console.warn); // without them it finds what the page's own words say
-    void Promise.all([import("../search"), leads.alarms, named]).then(([{ createSearch }, known]) => {
-      search = createSearch(leads.catalogue, known);
-      if (dialog.open) draw();
-    });
+    void Promise.all([import("../search"), leads.tables.alarms, leads.tables.elsewhere, named]).then(
+      ([{ createSearch }, known, elsewhere]) => {
+        search = createSearch(leads.catalogue, known, elsewhere);
+        if (dialog.open) draw();
+      },
+    );
   };
 
   const command = (one: PageCommand): Omit<Item, "found"> => ({
@@ -131,7 +133,7 @@ export function createPalette(store: Store, actions: Actions, leads: Leads, now:
   });
 
   const ofHit = ({ entry, words: found }: Hit): Item => {
-    const { kind, code, key, title, cycles, others, control, variant, id } = entry;
+    const { kind, code, key, title, cycles, others, control, variant, id, told } = entry;
     const [cycle] = cycles;
     const note = control && kind !== "measurement" ? t(`control-${control}`) : undefined;
     const run = (): void => {
@@ -139,7 +141,8 @@ export function createPalette(store: Store, actions: Actions, leads: Leads, now:
       else if (kind === "around") {
         actions.panel("form");
         actions.around(code);
-      } else if (kind === "result" || kind === "alarm") actions.card({ kind, code, key, cycles, others });
+      } else if (kind === "result" || kind === "alarm" || kind === "elsewhere")
+        actions.card({ kind, code, key, cycles, others, ...(told ? { told } : {}) });
       else if (kind === "measurement" && cycle) {
         actions.chooseCycle(cycle, variant);
         actions.panel("form");

@@ -142,7 +142,8 @@ pub fn told(finding: &Diagnostic, words: &Words) -> String {
     }
     line.push_str(&cause);
     if let Some(hint) = &finding.hint {
-        line.push(' ');
+        let ends = line.ends_with(['.', '。', '!', '?', ':', '：']);
+        line.push_str(if ends { " " } else { ". " });
         line.push_str(&words.text(hint));
     }
     line

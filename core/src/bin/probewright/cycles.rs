@@ -2,6 +2,7 @@
 
 use crate::file::{Problem, print_json};
 use probewright_core::catalogue::CYCLES;
+use probewright_core::foreign::CONTROLS;
 use probewright_core::words::Words;
 use probewright_core::{app, json};
 use std::io::Write;
@@ -18,6 +19,9 @@ pub fn cycles(as_json: bool, words: &Words, out: &mut dyn Write) -> Result<ExitC
         for variant in cycle.variants {
             writeln!(out, "{:>10} {}", variant.number, words.key(variant.key))?;
         }
+    }
+    for cycle in CONTROLS.iter().flat_map(|control| control.cycles) {
+        writeln!(out, "{} {}", cycle.name, words.key(cycle.title()))?;
     }
     Ok(ExitCode::SUCCESS)
 }

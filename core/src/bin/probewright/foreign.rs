@@ -60,9 +60,7 @@ pub fn write(name: &str, values: &[String]) -> Result<Option<String>, Problem> {
         }
     }
     let refused = |why: Unwritten| match why {
-        Unwritten::Unpublished => {
-            Message::new("foreign-not-written").text("cycle", cycle.name).text("control", control.name)
-        }
+        Unwritten::Unpublished(why) => why,
         Unwritten::Unknown(name) => Message::new("terminal-parameter").text("cycle", cycle.name).text("name", name),
         Unwritten::NoNumber(name) | Unwritten::Outside(name) => Message::new("foreign-outside").text("name", name),
         Unwritten::Missing(names) => {

@@ -3,14 +3,17 @@
 use crate::check::one_line;
 use crate::file::{self, Problem, complain, wrong};
 use crate::foreign;
+use probewright_core::catalogue::Argument;
 use probewright_core::catalogue::functions::Functions;
-use probewright_core::control::{Control, Plane};
+use probewright_core::control::{Control, GENERATION, OF_LISTS, Plane, delivery};
 use probewright_core::diagnostic::Severity;
 use probewright_core::dialect::Dialect;
-use probewright_core::entry::{Cycle, Inputs, Typed};
+use probewright_core::entry::{ArgumentList, Cycle, Inputs, Style, Typed};
+use probewright_core::form::{Entry, argument_entry};
 use probewright_core::machine::setup::Setup;
 use probewright_core::message::Message;
 use probewright_core::program::around::{self, Block, Lines, absent, blocks, problem};
+use probewright_core::program::lists::without_form;
 use probewright_core::program::write::snippet;
 use probewright_core::words::Words;
 use probewright_core::{catalogue, check};
@@ -40,15 +43,22 @@ pub fn write(asked: &Arguments, words: &Words, out: &mut dyn Write) -> Result<Ex
         write!(out, "{text}")?;
         return Ok(ExitCode::SUCCESS);
     }
+    let style: Style = serde_json::from_value(asked.style.as_str().into())?;
     let machine = asked.setup.as_ref().map(|path| file::setup(path, false, words, out)).transpose()?;
     let cycle = machine.as_ref().map_or_else(|| find(&asked.cycle), |setup| find_on(&setup.control, &asked.cycle))?;
-    let typed = typed(cycle, &asked.values)?;
+    let list = cycle.lists.iter().find(|list| style == Style::Operate && list.style == style);
+    let typed = typed(cycle, list, &asked.values)?;
     let plane = cycle.purpose.machine.plane().unwrap_or(Plane::G17);
-    let control = machine.unwrap_or_else(|| Setup::for_cycle(cycle, plane)).control;
-    let checked = check::check(cycle, &typed, &control);
+    let mut control = machine.unwrap_or_else(|| Setup::for_cycle(cycle, plane)).control;
+    let checked = match list.filter(|list| list.is_written()) {
+        Some(list) => {
+            control.set(GENERATION, OF_LISTS);
+            check::newer::check_listed(cycle, list, &typed, &control)
+        }
+        None => check::check(cycle, &typed, &control),
+    };
     let label = |_: &str, key: &str| words.key(key.to_owned());
     let comments = asked.comments.then_some(&label as &dyn Fn(&str, &str) -> String);
-    let style = serde_json::from_value(asked.style.as_str().into())?;
     let written = snippet(cycle, &typed, &control, style, comments);
     let mut findings = checked.diagnostics.iter().chain(&written.findings);
     for finding in findings.clone() {
@@ -115,10 +125,14 @@ fn right(name: &str, values: &Typed, suited: &[&Block], inputs: &Inputs, words: 
 }
 
 fn find(name: &str) -> Result<&'static Cycle, Problem> {
-    [Dialect::Sinumerik, Dialect::Nct]
-        .into_iter()
-        .find_map(|dialect| catalogue::find(dialect, name))
-        .ok_or_else(|| wrong(Message::new("terminal-cycle").text("name", name)))
+    let found = [Dialect::Sinumerik, Dialect::Nct].into_iter().find_map(|dialect| catalogue::find(dialect, name));
+    found.ok_or_else(|| {
+        let alone = without_form().find(|(alone, _)| alone.eq_ignore_ascii_case(name));
+        wrong(match alone {
+            Some((alone, _)) => Message::new("write-unpublished-alone").text("cycle", alone),
+            None => Message::new("terminal-cycle").text("name", name),
+        })
+    })
 }
 
 /// The cycle of a control with this name: what the G function of an NCT control calls, else that of the catalogue.
@@ -129,18 +143,59 @@ fn find_on(control: &Control, name: &str) -> Result<&'static Cycle, Problem> {
     called.or_else(|| catalogue::find(control.dialect, name)).ok_or_else(none)
 }
 
-fn typed(cycle: &Cycle, values: &[String]) -> Result<Typed, Problem> {
+/// The values as typed, by the names of the parameters; what the list alone has, by its names there.
+fn typed(cycle: &'static Cycle, list: Option<&'static ArgumentList>, values: &[String]) -> Result<Typed, Problem> {
     let mut typed = Typed::new();
+    let mut of_list = Vec::new();
     for pair in values {
         let (name, value) =
             pair.split_once('=').ok_or_else(|| wrong(Message::new("terminal-pair").text("text", pair)))?;
-        let param =
-            cycle.params.iter().find(|param| param.name.eq_ignore_ascii_case(name)).ok_or_else(|| {
-                wrong(Message::new("terminal-parameter").text("cycle", cycle.name).text("name", name))
-            })?;
-        if typed.insert(param.name.to_string(), value.to_owned()).is_some() {
-            return Err(wrong(Message::new("terminal-twice").text("name", param.name)));
+        let param = cycle.params.iter().find(|param| param.name.eq_ignore_ascii_case(name));
+        let argument = list.and_then(|list| Argument::all(list).find(|one| one.name.eq_ignore_ascii_case(name)));
+        match (param, argument) {
+            (Some(param), _) => put(&mut typed, param.name.as_str(), value)?,
+            (None, Some(argument)) => of_list.push((argument, value)),
+            (None, None) => {
+                let unknown = Message::new("terminal-parameter").text("cycle", cycle.name);
+                return Err(wrong(unknown.text("name", name)));
+            }
         }
     }
+    // those that choose come first: they decide which others the older control uses
+    let control = delivery(cycle.dialect);
+    of_list.sort_by_key(|(argument, _)| argument.place);
+    for (argument, value) in of_list {
+        possible(&argument, value)?;
+        let name = older(cycle, &argument, &typed, &control).unwrap_or(argument.name);
+        put(&mut typed, name, value)?;
+    }
     Ok(typed)
+}
+
+fn put(typed: &mut Typed, name: &str, value: &str) -> Result<(), Problem> {
+    match typed.insert(name.to_owned(), value.to_owned()) {
+        Some(_) => Err(wrong(Message::new("terminal-twice").text("name", name))),
+        None => Ok(()),
+    }
+}
+
+/// The parameter with the meaning of an argument, where the older control uses it in this variant.
+fn older(cycle: &'static Cycle, argument: &Argument, typed: &Typed, control: &Control) -> Option<&'static str> {
+    let param = cycle.param(argument.param?.as_str())?;
+    let inputs = check::read(cycle, typed, control, &mut Vec::new());
+    (cycle.variant_param() == Some(param.name) || param.need(&inputs).is_some()).then_some(param.name.as_str())
+}
+
+/// Refuses an argument whose digits are not published, and a value that it cannot have.
+fn possible(argument: &Argument, value: &str) -> Result<(), Problem> {
+    let about = |key: &'static str| wrong(Message::new(key).text("name", argument.name).text("value", value));
+    if argument.is_open() {
+        return Err(about("terminal-argument-open"));
+    }
+    match argument_entry(argument.name) {
+        Entry::Choice { choices } if !choices.iter().any(|one| value.trim() == one.value.to_string()) => {
+            Err(about("terminal-argument-value"))
+        }
+        _ => Ok(()),
+    }
 }

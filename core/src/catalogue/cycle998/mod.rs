@@ -12,9 +12,10 @@ mod simulate;
 #[cfg(test)]
 mod tests;
 
+use crate::catalogue::common::tasks::{ZERO, zero};
 use crate::catalogue::sinumerik::help::{AGAIN, DIFFERENTIAL, MEASURING, PROBE};
 use crate::catalogue::{common, newer, older};
-use crate::entry::{Aims, Cycle, Drawing, Element, Help, Simulation, Variant, When, names};
+use crate::entry::{Aims, Cycle, Drawing, Element, Help, Purpose, Shared, Simulation, Task, Variant, When, names};
 
 /// Measuring variants (B:7318-7324).
 pub const VARIANTS: &[Variant] = &[
@@ -25,12 +26,16 @@ pub const VARIANTS: &[Variant] = &[
     Variant { number: 100_106, key: "cycle998-two-paraxial", source: "B:7324;A:8095" },
 ];
 
+/// What another control can do too: the angle of one edge.
+const TASKS: &[Shared] = &[zero(Task::Angle, 105, When::Variant(&[105, 1105, 100_105]), &[ZERO])];
+
 /// The entry. Example: the part on a rotary table of B:7428-7494.
 pub static CYCLE998: Cycle = Cycle {
     name: "CYCLE998",
     key: "cycle998",
     variants: VARIANTS,
     params: params::PARAMS,
+    purpose: Purpose { tasks: TASKS, ..Purpose::MILLING },
     lists: &[older::CYCLE998, newer::CYCLE998],
     // B:7526-7527: on a lathe the length ends at the centre of the ball
     settings: &["_CBIT[14]"],

@@ -1,7 +1,7 @@
 //! The probe cycles of the control: its parameters in the order in which it writes them, with what it calls them.
 //! `POST`: the order is what a published post processor writes, and the page with the values was not at hand.
 
-use super::super::{Aim, ForeignCycle, Parameter, Value};
+use super::super::{Aim, ForeignCycle, Page, Parameter, Value};
 use crate::entry::Task;
 use crate::range::Range;
 use Value::{Axis, Centre, Clearance, Direction, Height, Maximum, Minimum, Nominal, Own, Point, Tool, Usual};
@@ -18,6 +18,19 @@ const POST: &str = "Autodesk post processor, revision 42300";
 const fn q(name: &'static str, key: &'static str, text: &'static str, range: Range, value: Value) -> Parameter {
     Parameter { name, text, key, range, value, optional: false }
 }
+
+/// A cycle of which only its name and what it does are published.
+const fn named(name: &'static str, key: &'static str, tasks: &'static [(Task, Aim)]) -> ForeignCycle {
+    ForeignCycle { name, text: "", key, source: "", page: Page::Nothing, tasks, parameters: &[] }
+}
+
+/// A corner becomes a datum; no cycle only measures one.
+const CORNER: &[(Task, Aim)] = &[
+    (Task::InnerCorner, Aim::Datum),
+    (Task::OuterCorner, Aim::Datum),
+    (Task::InnerCorner, Aim::Measure),
+    (Task::OuterCorner, Aim::Measure),
+];
 
 const Q247: Parameter = q("Q247", "tnc-q247", "STEPPING ANGLE", Range::closed(-120.0, 120.0), Usual(90.0));
 const Q260: Parameter = q("Q260", "tnc-q260", "CLEARANCE HEIGHT", COORDINATE, Clearance);
@@ -83,14 +96,14 @@ const Q423: Parameter =
     Parameter { optional: true, ..q("Q423", "tnc-q423", "NO. OF MEAS. POINTS", Range::ANY, Usual(4.0)) };
 
 /// The cycles.
-pub static CYCLES: [ForeignCycle; 19] = [
+pub static CYCLES: [ForeignCycle; 24] = [
     ForeignCycle {
         name: "TCH PROBE 400",
         text: "BASIC ROTATION",
         key: "tnc-400",
         source: POST,
-        is_written: false,
-        tasks: &[],
+        page: Page::Order,
+        tasks: &[(Task::Angle, Aim::Datum)],
         parameters: &[Q263, Q264, Q265, Q266, Q272, Q267, Q261, Q320, Q260, Q301, Q307, Q305],
     },
     ForeignCycle {
@@ -98,7 +111,7 @@ pub static CYCLES: [ForeignCycle; 19] = [
         text: "ROT IN ROTARY AXIS",
         key: "tnc-403",
         source: POST,
-        is_written: false,
+        page: Page::Order,
         tasks: &[],
         parameters: &[Q263, Q264, Q265, Q266, Q272, Q267, Q261, Q320, Q260, Q301, Q312, Q337, Q305, Q303, Q380],
     },
@@ -107,7 +120,7 @@ pub static CYCLES: [ForeignCycle; 19] = [
         text: "SLOT CENTER REF PT",
         key: "tnc-408",
         source: POST,
-        is_written: false,
+        page: Page::Order,
         tasks: &[(Task::Pocket, Aim::Datum)],
         parameters: &[
             Q321,
@@ -133,7 +146,7 @@ pub static CYCLES: [ForeignCycle; 19] = [
         text: "RIDGE CENTER REF PT",
         key: "tnc-409",
         source: POST,
-        is_written: false,
+        page: Page::Order,
         tasks: &[(Task::Web, Aim::Datum)],
         parameters: &[
             Q321,
@@ -158,7 +171,7 @@ pub static CYCLES: [ForeignCycle; 19] = [
         text: "DATUM INSIDE RECTAN.",
         key: "tnc-410",
         source: POST,
-        is_written: false,
+        page: Page::Order,
         tasks: &[(Task::Rectangle, Aim::Datum)],
         parameters: &[
             Q321, Q322, Q323, Q324, Q261, Q320, Q260, Q301, Q305, Q331, Q332, Q303, Q381, Q382, Q383, Q384, Q333,
@@ -169,7 +182,7 @@ pub static CYCLES: [ForeignCycle; 19] = [
         text: "DATUM OUTS. RECTAN.",
         key: "tnc-411",
         source: POST,
-        is_written: false,
+        page: Page::Order,
         tasks: &[(Task::Island, Aim::Datum)],
         parameters: &[
             Q321, Q322, Q323, Q324, Q261, Q320, Q260, Q301, Q305, Q331, Q332, Q303, Q381, Q382, Q383, Q384, Q333,
@@ -180,7 +193,7 @@ pub static CYCLES: [ForeignCycle; 19] = [
         text: "DATUM INSIDE CIRCLE",
         key: "tnc-412",
         source: "iTNC 530, cycle programming, p. 362",
-        is_written: true,
+        page: Page::Whole,
         tasks: &[(Task::Bore, Aim::Datum)],
         parameters: &[
             Q321, Q322, Q262, Q325, Q247, Q261, Q320, Q260, Q301, Q305, Q331, Q332, Q303, Q381, Q382, Q383, Q384, Q333,
@@ -192,28 +205,32 @@ pub static CYCLES: [ForeignCycle; 19] = [
         text: "DATUM OUTSIDE CIRCLE",
         key: "tnc-413",
         source: POST,
-        is_written: false,
+        page: Page::Order,
         tasks: &[(Task::Boss, Aim::Datum)],
         parameters: &[
             Q321, Q322, Q262, Q325, Q247, Q261, Q320, Q260, Q301, Q305, Q331, Q332, Q303, Q381, Q382, Q383, Q384, Q333,
             Q423, Q365,
         ],
     },
+    named("TCH PROBE 414", "tnc-414", &[]),
+    named("TCH PROBE 415", "tnc-415", CORNER),
+    named("TCH PROBE 416", "tnc-416", &[]),
     ForeignCycle {
         name: "TCH PROBE 417",
         text: "DATUM IN TS AXIS",
         key: "tnc-417",
         source: POST,
-        is_written: false,
+        page: Page::Order,
         tasks: &[(Task::Face, Aim::Datum)],
         parameters: &[Q263, Q264, Q294, Q320, Q260, Q305, Q333, Q303],
     },
+    named("TCH PROBE 418", "tnc-418", &[]),
     ForeignCycle {
         name: "TCH PROBE 419",
         text: "DATUM IN ONE AXIS",
         key: "tnc-419",
         source: POST,
-        is_written: false,
+        page: Page::Order,
         tasks: &[(Task::Wall, Aim::Datum)],
         parameters: &[Q263, Q264, Q261, Q320, Q260, Q272, Q267, Q305, Q333, Q303],
     },
@@ -222,8 +239,8 @@ pub static CYCLES: [ForeignCycle; 19] = [
         text: "MEASURE ANGLE",
         key: "tnc-420",
         source: POST,
-        is_written: false,
-        tasks: &[],
+        page: Page::Order,
+        tasks: &[(Task::Angle, Aim::Measure)],
         parameters: &[Q263, Q264, Q265, Q266, Q272, Q267, Q261, Q320, Q260, Q301, Q281],
     },
     ForeignCycle {
@@ -231,7 +248,7 @@ pub static CYCLES: [ForeignCycle; 19] = [
         text: "MEASURE HOLE",
         key: "tnc-421",
         source: "TNC7, 81762x-19, log of cycle 421; TNC 320 9/2016, p. 396",
-        is_written: true,
+        page: Page::Whole,
         tasks: &[(Task::Bore, Aim::Measure)],
         parameters: &[Q273, Q274, Q262, Q325, Q247, Q261, Q320, Q260, Q301, Q275, Q276, Q279, Q280, Q281, Q309, Q330],
     },
@@ -240,7 +257,7 @@ pub static CYCLES: [ForeignCycle; 19] = [
         text: "MEAS. CIRCLE OUTSIDE",
         key: "tnc-422",
         source: POST,
-        is_written: false,
+        page: Page::Order,
         tasks: &[(Task::Boss, Aim::Measure)],
         parameters: &[Q273, Q274, Q262, Q325, Q247, Q261, Q320, Q260, Q301, Q277, Q278, Q279, Q280, Q281, Q309, Q330],
     },
@@ -249,7 +266,7 @@ pub static CYCLES: [ForeignCycle; 19] = [
         text: "MEAS. RECTAN. INSIDE",
         key: "tnc-423",
         source: "TNC 320 9/2016, p. 396",
-        is_written: true,
+        page: Page::Whole,
         tasks: &[(Task::Rectangle, Aim::Measure)],
         parameters: &[
             Q273, Q274, Q282, Q283, Q261, Q320, Q260, Q301, Q284, Q285, Q286, Q287, Q279, Q280, Q281, Q309, Q330,
@@ -260,7 +277,7 @@ pub static CYCLES: [ForeignCycle; 19] = [
         text: "MEAS. RECTAN. OUTS.",
         key: "tnc-424",
         source: POST,
-        is_written: false,
+        page: Page::Order,
         tasks: &[(Task::Island, Aim::Measure)],
         parameters: &[
             Q273, Q274, Q282, Q283, Q261, Q320, Q260, Q301, Q284, Q285, Q286, Q287, Q279, Q280, Q281, Q309, Q330,
@@ -271,7 +288,7 @@ pub static CYCLES: [ForeignCycle; 19] = [
         text: "MEASURE INSIDE WIDTH",
         key: "tnc-425",
         source: "TNC 320 340 55x-04, p. 393",
-        is_written: true,
+        page: Page::Whole,
         tasks: &[(Task::Pocket, Aim::Measure)],
         parameters: &[Q328, Q329, Q310, Q272, Q261, Q260, Q311, Q288, Q289, Q281, Q309, Q330],
     },
@@ -280,7 +297,7 @@ pub static CYCLES: [ForeignCycle; 19] = [
         text: "MEASURE RIDGE WIDTH",
         key: "tnc-426",
         source: POST,
-        is_written: false,
+        page: Page::Order,
         tasks: &[(Task::Web, Aim::Measure)],
         parameters: &[Q263, Q264, Q265, Q266, Q272, Q261, Q320, Q260, Q311, Q288, Q289, Q281, Q309, Q330],
     },
@@ -289,7 +306,7 @@ pub static CYCLES: [ForeignCycle; 19] = [
         text: "MEASURE COORDINATE",
         key: "tnc-427",
         source: "TNC7, 81762x-16, cycle 427",
-        is_written: true,
+        page: Page::Whole,
         tasks: &[(Task::Wall, Aim::Measure), (Task::Face, Aim::Measure)],
         parameters: &[Q263, Q264, Q261, Q320, Q272, Q267, Q260, Q281, Q288, Q289, Q309, Q330],
     },
@@ -298,7 +315,7 @@ pub static CYCLES: [ForeignCycle; 19] = [
         text: "MEAS. BOLT HOLE CIRC",
         key: "tnc-430",
         source: "iTNC 530 340 49x-04, p. 138; TNC7 basic 81762x-19, cycle 430",
-        is_written: false,
+        page: Page::Without(&["Q281", "Q309", "Q330"]),
         tasks: &[],
         parameters: &[
             Q273,
@@ -318,4 +335,5 @@ pub static CYCLES: [ForeignCycle; 19] = [
             Parameter { optional: true, ..Q330 },
         ],
     },
+    named("TCH PROBE 431", "tnc-431", &[]),
 ];

@@ -233,7 +233,25 @@ fn the_same_task_stands_beside_the_form_as_other_controls_write_it() {
     // a boss is described, and its page not published: it is not written
     let boss = on_tnc("CYCLE977", json!({ "_MVAR": "2", "_SETVAL": "50", "_ID": "-30" }));
     assert_eq!((&boss["cycle"], &boss["snippet"]), (&json!("TCH PROBE 422"), &json!("")));
-    assert_eq!(boss["refused"]["key"], "foreign-not-written");
+    assert_eq!(boss["refused"]["key"], "foreign-unwritten-values");
+    assert_eq!(boss["refused"]["args"], json!({ "cycle": "TCH PROBE 422", "names": "Q277, Q278" }));
+    // 10001 is the coarse part of G54, and a number that no other control has is told
+    let coarse = on_tnc("CYCLE977", json!({ "_MVAR": "101", "_SETVAL": "50", "_KNUM": "10001" }));
+    assert_eq!((&coarse["cycle"], &coarse["differences"][0]["key"]), (&json!("TCH PROBE 412"), &json!("twin-coarse")));
+    let lost = on_tnc("CYCLE977", json!({ "_MVAR": "101", "_SETVAL": "50", "_KNUM": "19999" }));
+    assert_eq!(lost["cycle"], "TCH PROBE 421");
+    assert_eq!(lost["differences"][0]["key"], "foreign-zero-lost");
+    let usual = lost["differences"].as_array().unwrap().iter().find(|one| one["key"] == "foreign-usual");
+    assert!(usual.unwrap()["args"]["names"].as_str().unwrap().contains("Q275, Q276"), "{lost}");
+    // a corner and an angle have their cycle there too, and the reason why it is not written
+    let corner = on_tnc("CYCLE961", json!({ "_MVAR": "106", "_KNUM": "1" }));
+    assert_eq!((&corner["cycle"], &corner["snippet"]), (&json!("TCH PROBE 415"), &json!("")));
+    assert_eq!(corner["refused"]["key"], "foreign-unwritten-nothing");
+    for (zero, cycle) in [("0", "TCH PROBE 420"), ("1", "TCH PROBE 400")] {
+        let angle = on_tnc("CYCLE998", json!({ "_MVAR": "105", "_KNUM": zero }));
+        assert_eq!((&angle["cycle"], &angle["snippet"]), (&json!(cycle), &json!("")));
+        assert_eq!(angle["refused"]["key"], "foreign-unwritten-values");
+    }
     assert_eq!(boss["values"]["Q261"], "-10");
     // a rectangle has two sizes with one tolerance
     let inside =
@@ -256,8 +274,8 @@ fn the_same_task_stands_beside_the_form_as_other_controls_write_it() {
     for line in ["TCH PROBE 427 ", "Q263=+0 ;", "Q264=-12 ;", "Q272=+2 ;", "Q267=-1 ;"] {
         assert!(text.contains(line), "{line} {text}");
     }
-    let corner = on_tnc("CYCLE961", json!({ "_MVAR": "106", "_STA1": "0" }));
-    assert_eq!(corner, Value::Null);
+    // of the length of a probe it has no cycle
+    assert_eq!(on_tnc("CYCLE976", json!({ "_MVAR": "0", "_SETVAL": "0", "_MA": "3" })), Value::Null);
 }
 
 // oracle: self: in every plane the example that the catalogue has for it is complete and chooses its variant, and so

@@ -104,6 +104,7 @@ fn the_types_of_the_page_are_those_of_the_core() {
     let mut types = Types { config, texts: BTreeMap::new() };
     types.visit::<Catalogue>();
     types.visit::<AlarmInfo>();
+    types.visit::<Elsewhere>();
     types.visit::<FormRequest>();
     types.visit::<CertaintyRequest>();
     types.visit::<CertaintyView>();

@@ -38,11 +38,25 @@ pub(super) fn write(source: &Source, style: Style) -> Written {
             text.line_end();
             source.whole(text)
         }
-        None => {
-            let sentence = if none { own::WRITE_NO_LIST } else { own::WRITE_NO_LIST_VARIANT };
-            nothing(sentence.finding().text("cycle", source.cycle.name))
-        }
+        None => nothing(unwritten(source, style, none)),
     }
+}
+
+/// Why a call style has no call for these values; `none`: for no values of this cycle. Of the lists of newer controls
+/// the digits that are published are written.
+fn unwritten(source: &Source, style: Style, none: bool) -> Diagnostic {
+    let listed = style == Style::Operate && source.cycle.lists.iter().any(|list| list.style == style);
+    let sentence = match (listed, none) {
+        (true, true) => own::WRITE_UNPUBLISHED,
+        (true, false) => own::WRITE_UNPUBLISHED_VARIANT,
+        (false, true) => own::WRITE_NO_LIST,
+        (false, false) => own::WRITE_NO_LIST_VARIANT,
+    };
+    let finding = sentence.finding().text("cycle", source.cycle.name);
+    if sentence == own::WRITE_UNPUBLISHED_VARIANT {
+        return finding.number("value", source.inputs.variant as f64);
+    }
+    finding
 }
 
 /// No text, and why.
@@ -166,8 +180,11 @@ fn arguments(source: &Source, list: &'static ArgumentList) -> Vec<(Option<Name>,
 
 /// An argument of the list of a newer control: the value, else what programs write there.
 fn newer_argument(source: &Source, argument: &Argument) -> (Option<Name>, String) {
-    let own = argument.param.is_none().then(|| own_value(source, argument.name));
-    let text = own.or_else(|| Some(parameter(source, &argument.param?))).unwrap_or_default();
+    let own = own_value(source, argument.name);
+    let text = match argument.param.filter(|_| own.is_empty()) {
+        Some(param) => parameter(source, &param),
+        None => own,
+    };
     let name = argument.param.or_else(|| (!argument.name.is_empty()).then(|| Name::new(argument.name)));
     if !text.is_empty() {
         return (name, text);
@@ -184,14 +201,20 @@ const NO_TEXT: &str = "\"\"";
 const CENTRE: [&str; 2] = ["S_XM", "S_YM"];
 const BESIDE: &str = "11";
 
-/// What was typed for something that only the lists of newer controls have.
+/// What was typed for something that only the lists of newer controls have, or under its name there.
 fn own_value(source: &Source, name: &str) -> String {
     let text = source.typed.get(name).map_or("", |text| text.trim());
     match parse(text) {
         Parsed::Number(number) => number.to_string(),
         Parsed::Expression => expression::written(source.cycle.dialect, text).unwrap_or_default(),
+        Parsed::Wrong if is_quoted(text) => text.to_owned(),
         Parsed::Empty | Parsed::Wrong => String::new(),
     }
+}
+
+fn is_quoted(text: &str) -> bool {
+    let inside = text.strip_prefix('"').and_then(|text| text.strip_suffix('"'));
+    inside.is_some_and(|inside| !inside.contains(['"', '\n', '\r']))
 }
 
 /// What of a call in the list of a newer control has to be looked at before the first run: the measuring direction,

@@ -176,8 +176,10 @@ fn converted(asked: &Asked, style: Style, call: Option<usize>) -> Option<Value> 
         (Style::Operate, None) => "server-every-operate",
     };
     let said = |one: &Finding| asked.words.text(&one.message);
-    let told: Vec<String> = done.findings.iter().map(said).collect();
-    let told = if told.is_empty() || call.is_none() { String::new() } else { format!(" – {}", told.join(" ")) };
+    let mut told: Vec<String> = done.findings.iter().map(said).collect();
+    told.sort();
+    told.dedup();
+    let told = if told.is_empty() { String::new() } else { format!(" – {}", told.join(" ")) };
     let edits = asked.placed(&done.edits);
     let title = asked.words.key(key) + &told;
     (!edits.is_empty()).then(|| asked.action(title, &CodeActionKind::REFACTOR_REWRITE, &edits))

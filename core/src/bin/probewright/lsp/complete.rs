@@ -187,16 +187,22 @@ fn variants(known: &Known, name: &str, make: &Make) -> Vec<CompletionItem> {
 fn argument(known: &Known, at: u32, called: &str, place: usize, make: &Make) -> Vec<CompletionItem> {
     let site = known.call(at).or_else(|| known.next(at));
     let of_dialect = CYCLES.iter().copied().filter(|cycle| cycle.dialect == known.program.dialect);
-    let mut lists = of_dialect.flat_map(|cycle| cycle.lists.iter().map(move |list| (cycle, list)));
-    let found = lists.find(|(cycle, list)| {
-        list.name.eq_ignore_ascii_case(called) && site.is_none_or(|site| site.cycle.name == cycle.name)
-    });
+    let lists = of_dialect.flat_map(|cycle| cycle.lists.iter().map(move |list| (cycle, list)));
+    let lists: Vec<_> = lists.filter(|(_, list)| list.name.eq_ignore_ascii_case(called)).collect();
+    // the call that the bracket begins; behind an open one the next call may be another
+    let reached = lists.iter().find(|(cycle, _)| site.is_some_and(|site| site.cycle.name == cycle.name));
+    let site = site.filter(|_| reached.is_some());
+    let found = reached.or(lists.first()).copied();
+    let values = |name: &Name| match found {
+        Some((cycle, _)) if cycle.variant_param() == Some(*name) => of_cycle(cycle, make),
+        _ => site.map_or_else(Vec::new, |site| values(known, Some(site), name, make)),
+    };
     match found.and_then(|(_, list)| list.args.get(place)) {
-        Some(Arg::Newer(_, Some(name))) => of_newer(found, *name, values(known, site, name, make)),
+        Some(Arg::Newer(_, Some(name))) => of_newer(found, *name, values(name)),
         Some(Arg::Select(choices)) => choices.iter().map(|(number, _)| make.choice(*number, String::new())).collect(),
         Some(Arg::Is(number)) => vec![make.choice(*number, called.to_owned())],
         Some(Arg::Newer(name, None)) => own_value(name, make),
-        other => other.and_then(Arg::param).map_or_else(Vec::new, |name| values(known, site, &name, make)),
+        other => other.and_then(Arg::param).map_or_else(Vec::new, |name| values(&name)),
     }
 }
 

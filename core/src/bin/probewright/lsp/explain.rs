@@ -12,7 +12,7 @@ use probewright_core::program::r_parameters::is_of_call;
 use probewright_core::report::alarms::named;
 use probewright_core::report::explain;
 use probewright_core::report::findings::finding;
-use probewright_core::report::foreign::parameter;
+use probewright_core::report::foreign::{cycle, parameter};
 use probewright_core::words::Words;
 
 /// What there is to say at a byte, in the layout of `probewright explain`: lines, those of a list two blanks in.
@@ -26,13 +26,25 @@ pub fn at(document: &Document, known: &Known, at: u32, words: &Words) -> Option<
     if let Some(site) = known.call(at) {
         return Some(call(known, site, words));
     }
+    if let Some(told) = of_foreign_call(known, at, words) {
+        return Some(told);
+    }
     let name = name_around(document.text.as_str(), at as usize);
     let of_foreign = foreign::control_of(&known.program.source).map(|_| parameter(name, words)).unwrap_or_default();
-    let own = explain::datum(name, words) + &finding(name, words);
+    let newer = explain::list(name, words) + &explain::setting_datum(name, words);
+    let own = explain::datum(name, words) + &finding(name, words) + &newer;
     let told = own + &of_older(known, name, words) + &of_foreign;
     let alarm = || named(name, words).or_else(|| named(&message_around(document, at as usize)?, words));
     let alarm = || alarm().map(|told| alarms::explained(&told, words));
     if told.is_empty() { alarm() } else { Some(told) }.filter(|_| !name.is_empty())
+}
+
+/// A probe cycle of a control that is read and not run, by its name.
+fn of_foreign_call(known: &Known, at: u32, words: &Words) -> Option<String> {
+    let source = &known.program.source;
+    let calls = (foreign::control_of(source)?.calls)(source);
+    let call = calls.into_iter().find(|call| call.span.start <= at && at <= call.span.end)?;
+    Some(cycle(&call.name, words)).filter(|told| !told.is_empty())
 }
 
 /// An R parameter or a measuring call in a program with measuring calls of an 840C; a subprogram of older programs.

@@ -4,7 +4,7 @@
 use super::complete::Make;
 use super::known::{Document, Known};
 use lsp_types::{CompletionItem, CompletionItemKind, Position, Range};
-use probewright_core::foreign::{self, Foreign};
+use probewright_core::foreign::{self, Foreign, Page};
 use probewright_core::words::Words;
 
 /// What can be written at a position; none: the program is of no such control.
@@ -22,6 +22,7 @@ pub fn at(document: &Document, known: &Known, at: Position, words: &Words) -> Op
         _ => control
             .cycles
             .iter()
+            .filter(|cycle| cycle.page != Page::Nothing)
             .map(|cycle| {
                 let text = format!("{} {}", cycle.name, cycle.text);
                 make.item(cycle.name, &text, CompletionItemKind::FUNCTION, words.key(cycle.title()))
