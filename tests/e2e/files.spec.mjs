@@ -254,7 +254,7 @@ describe("a setup file", () => {
       '{ "control": "fanuc", "probe": { "radius": 1, "length": 1 } }',
       /not a setup and was not opened: .*fanuc/,
     ],
-    binary: ["b.json", Buffer.from([0, 255, 254, 1, 2]), /b\.json is not a setup and was not opened/],
+    binary: ["b.json", Buffer.from([0, 255, 254, 1, 2]), /b\.json was not opened: it contains no text/],
     "far too large": [
       "large.json",
       Buffer.alloc(4_500_000, 32),

@@ -4,7 +4,7 @@ write-no-list = { $cycle } lässt sich in dieser Schreibweise nicht aufrufen.
 write-no-list-variant = { $cycle }: Diese Messvariante oder dieses Korrekturziel lässt sich in dieser Schreibweise nicht aufrufen.
 write-unpublished = Die Argumentliste von { $cycle } wird nicht geschrieben: Die Ziffern von Argument 1 sind nicht veröffentlicht.
 write-unpublished-variant = Die Variante { $value } von { $cycle } wird nicht als Argumentliste geschrieben: Ihre Ziffern sind nicht veröffentlicht.
-write-unpublished-alone = { $cycle } wird nicht geschrieben: Ältere Steuerungen haben keinen solchen Zyklus, und die Ziffern seiner Argumente sind nicht veröffentlicht.
+write-unpublished-alone = { $cycle } wird nicht geschrieben: Ältere Steuerungen haben ihn nicht, die Stellen seiner Argumente sind nicht veröffentlicht.
 write-variant-open = Die Argumente bestimmen die Messvariante, { $value } ist aber erst beim Programmlauf bekannt.
 write-no-list-hint = Stattdessen Zuweisungen und Aufruf schreiben.
 write-zero = { $name }={ $value } wird als eigene Zuweisung geschrieben: Eine 0 in CYCLE_PARA lässt den vorherigen Wert bestehen.

@@ -273,8 +273,8 @@ pub fn form(mut asked: FormRequest) -> Result<FormView, Error> {
     Ok(view)
 }
 
-/// What of a call in the list of a newer control is not known: the variant has no name and no picture then, and no other
-/// call style says it.
+/// What of a call in the list of a newer control is not known: the variant has no name and no picture then, and no
+/// other call style says it.
 fn keep_to_list(
     view: &mut FormView,
     cycle: &'static Cycle,

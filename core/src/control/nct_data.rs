@@ -26,8 +26,8 @@ const fn calls(name: &'static str) -> NctDatum {
     datum(name, element("", "C:58").initial(100.0 + count as f64).between(0.0, 999.0))
 }
 
-/// Settings of ours: how many levels of macros and of subprograms the control has; 0: not told. The manual of the macros
-/// says what each needs (C:142-144), that of the control how many there are.
+/// Settings of ours: how many levels of macros and of subprograms the control has; 0: not told. The manual of the
+/// macros says what each needs (C:142-144), that of the control how many there are.
 pub const LEVELS: [&str; 2] = ["PW-MACRO-LEVELS", "PW-SUBPROGRAM-LEVELS"];
 
 const fn levels(name: &'static str) -> NctDatum {

@@ -84,7 +84,7 @@ fn each_mask_opens_on_its_piece() {
         assert_eq!((view.state, view.refused), (State::Mask, None), "{}", mask.name);
         let open = view.mask.unwrap();
         assert_eq!((open.name, open.fields.is_empty()), (mask.name, false));
-        assert_eq!(open.help.len(), 5, "measures, before, order, corrects, wrong: {}", mask.name);
+        assert_eq!(open.help.len(), 6, "measures, before, order, corrects, wrong, where: {}", mask.name);
         assert_eq!(view.points.len(), if mask.points == 1 { 0 } else { mask.points });
         let listed = view.areas.iter().flat_map(|area| &area.functions).flat_map(|one| &one.masks);
         assert_eq!(listed.filter(|one| one.name == mask.name && one.piece == piece(mask)).count(), 1);

@@ -520,7 +520,9 @@ fn definition_files_are_read_and_written() {
 
 /// A setup file of an NCT mill on which G120 calls O9019.
 fn renumbered() -> String {
-    file("renumbered.json", br#"{ "control": "nct", "data": { "P9050": 120, "PW-MACRO-LEVELS": 3 }, "probe": { "radius": 3, "length": 50 } }"#)
+    let setup = br#"{ "control": "nct", "data": { "P9050": 120, "PW-MACRO-LEVELS": 3 },
+        "probe": { "radius": 3, "length": 50 } }"#;
+    file("renumbered.json", setup)
 }
 
 // oracle: manual C:58 (parameter 9050 holds the number of the function that calls O9019)

@@ -131,7 +131,7 @@ fn a_zero_offset_is_written_where_its_number_means_the_same() {
     assert_eq!(keys(&written("CYCLE978", &values, Style::Operate)), ["write-variant-open"]);
     values.insert("_MVAR".into(), "1100".into());
     let differential = written("CYCLE978", &values, Style::Operate);
-    assert_eq!(keys(&differential), ["write-no-list-variant"], "no number is published for it");
+    assert_eq!(keys(&differential), ["write-unpublished-variant"], "no number is published for it");
 }
 
 // oracle: peer (published programs: which sign of the infeed leads down differs; 61313 on newer controls asks for a
@@ -275,7 +275,7 @@ proptest! {
                     used.retain(|name, _| cycle.param(name).is_some_and(|param| inputs.uses(param.name)));
                     reads_back(&there.text, list, &used)?;
                 } else {
-                    prop_assert!(["write-no-list", "write-no-list-variant"].contains(&keys(&there)[0].as_str()));
+                    prop_assert!(["write-unpublished", "write-unpublished-variant"].contains(&keys(&there)[0].as_str()));
                 }
                 let text = as_list(list, &values);
                 no_error_of_the_older_control(&text)?;

@@ -156,7 +156,7 @@ function toDo(mask: PracticeMask, practice: Practice): TemplateResult {
       ({ label, lines }) => html`
         <h4>${say(label)}</h4>
         <ul>
-          ${lines.map(({ message, source }) => html`<li>${glossPart(say(message), seen)} <small>${source}</small></li>`)}
+          ${lines.map(one => html`<li>${glossPart(say(one.message), seen)} <small>${one.source}</small></li>`)}
         </ul>
       `,
     );
