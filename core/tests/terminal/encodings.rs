@@ -2,8 +2,11 @@
 
 use super::{HOLE, err, example_setup, file, out, probewright};
 
+/// An encoding: its name, and the bytes of a text in it.
+type Encoding = (&'static str, fn(&str) -> Vec<u8>);
+
 /// Encodings of a text whose characters are Western European, written without a table.
-const ENCODINGS: [(&str, fn(&str) -> Vec<u8>); 5] = [
+const ENCODINGS: [Encoding; 5] = [
     ("utf8", |text| text.as_bytes().to_vec()),
     ("utf8marked", |text| [b"\xef\xbb\xbf", text.as_bytes()].concat()),
     ("utf16le", |text| {
@@ -17,7 +20,7 @@ const ENCODINGS: [(&str, fn(&str) -> Vec<u8>); 5] = [
 
 /// What the program tells of a text in each encoding, without the name of its file.
 fn told(name: &str, text: &str, arguments: &[&str]) -> Vec<String> {
-    let tell = |(encoding, encode): &(&str, fn(&str) -> Vec<u8>)| {
+    let tell = |(encoding, encode): &Encoding| {
         let path = file(&format!("{encoding}.{name}"), &encode(text));
         let arguments: Vec<&str> = arguments.iter().map(|one| if *one == "FILE" { &path } else { *one }).collect();
         let output = probewright(&arguments);
