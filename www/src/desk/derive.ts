@@ -141,12 +141,12 @@ function worth(
 }
 
 /** A call that is never written anew in its own call style is the one that the program holds. */
-function asWritten(
-  program: string,
-  { from, to }: CallView,
-): Pick<FormView, "snippet" | "snippetPlaces" | "snippetFindings"> {
-  return { snippet: program.slice(from, to), snippetPlaces: {}, snippetFindings: [] };
-}
+const asHeld = (view: Formed, snippet: string): Formed => ({
+  ...view,
+  snippet,
+  snippetPlaces: {},
+  snippetFindings: [],
+});
 
 const NO_EXPRESSIONS: Record<string, string> = {};
 
@@ -256,6 +256,7 @@ export function createDerive(forms: () => FormCore, catalogue: Catalogue): (stat
   const assume = memo(assumptions);
   const measuredBy = memo(measuredOf);
   const known = memo(worth);
+  const held = memo(asHeld);
   const still = memo(stillOf);
   const problems = memo(gather);
   const states = memo(severities);
@@ -286,8 +287,8 @@ export function createDerive(forms: () => FormCore, catalogue: Catalogue): (stat
       opened?.style,
       cycle.purpose.probe === "log" ? measuredBy(reading.calls) : NOTHING_MEASURED,
     );
-    const kept = opened && !asked.snippet && opened.style === (style ?? asked.preset);
-    const view = kept ? { ...asked, ...asWritten(programOf(state), opened) } : asked;
+    const unwritten = opened && !asked.snippet && opened.style === (style ?? asked.preset);
+    const view = unwritten ? held(asked, programOf(state).slice(opened.from, opened.to)) : asked;
     const index = opened ? reading.calls.indexOf(opened) : null;
     const blocks = around(
       core,
