@@ -89,6 +89,21 @@ export async function counts(locator, expected, message) {
   assert.equal(found, expected, message ?? String(locator));
 }
 
+// Chooses a file whose text is the pieces, each as often as is said. The page puts it together: megabytes that are
+// handed to the browser take longer than the page on a slow machine.
+export async function chooseLarge(input, name, pieces) {
+  await input.evaluate(
+    (field, { name, pieces }) => {
+      const chosen = new DataTransfer();
+      const parts = pieces.map(([piece, times]) => piece.repeat(times));
+      chosen.items.add(new File(parts, name, { type: "text/plain" }));
+      field.files = chosen.files;
+      field.dispatchEvent(new Event("change", { bubbles: true }));
+    },
+    { name, pieces },
+  );
+}
+
 // Starts the browser before the tests of a file and ends it after them: `const chrome = shared("webgpu")`, then
 // `await open(chrome.browser)` inside a test.
 export function shared(setup, { before, after }) {

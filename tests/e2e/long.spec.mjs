@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { after, before, describe, test } from "node:test";
-import { counts, open, shared } from "./browser.mjs";
+import { chooseLarge, counts, open, shared } from "./browser.mjs";
 import { startWithEditor as start } from "./start.mjs";
 
 const CALL = "_MVAR=1 _SETVAL=132 _TNUM=20 _KNUM=2001\r\nCYCLE977\r\n";
@@ -14,9 +14,11 @@ const LONG = `${BLOCK.repeat(5000)}${CALL}${BLOCK.repeat(5000)}${CALL}${CALL}M30
 const rows = page => page.locator(".call-row");
 const chosen = text => ({ name: "part.mpf", mimeType: "text/plain", buffer: Buffer.from(text) });
 
-async function openFile(page, text) {
-  await page.locator(".panel-program input[type=file]").setInputFiles(chosen(text));
-}
+const fileInput = page => page.locator(".panel-program input[type=file]");
+
+const openFile = (page, text) => fileInput(page).setInputFiles(chosen(text));
+
+const openLarge = (page, pieces) => chooseLarge(fileInput(page), "part.mpf", pieces);
 
 const count = (page, wanted) =>
   page.waitForFunction(number => document.querySelectorAll(".call-row").length === number, wanted);
@@ -112,16 +114,19 @@ describe("a long file", () => {
   });
 
   // oracle: hand (the bytes)
-  for (const [name, text] of [
-    ["of one line of ten million characters", `${"X12.3456 ".repeat(1_111_111)}\r\n${CALL}`],
-    ["of a million empty lines", `${"\n".repeat(1_000_000)}${CALL}`],
+  for (const [name, piece, times, end] of [
+    ["of one line of ten million characters", "X12.3456 ", 1_111_111, `\r\n${CALL}`],
+    ["of a million empty lines", "\n", 1_000_000, CALL],
   ])
     test(`${name} is opened, and its call found`, async () => {
       const { context, page, problems } = await start(chrome);
-      await openFile(page, text);
+      await openLarge(page, [
+        [piece, times],
+        [end, 1],
+      ]);
       await page.locator('.notice:has-text("Program opened.")').waitFor();
       await count(page, 1);
-      assert.equal(await saved(page), text);
+      assert.equal(await saved(page), piece.repeat(times) + end);
       await page.locator(".call-row").click();
       await page.locator('.cm-line:has-text("_SETVAL=132")').waitFor();
       assert.deepEqual(problems, []);
@@ -260,7 +265,10 @@ describe("a long program", () => {
         if (bar.hasAttribute("value")) globalThis.shares.push(bar.value);
       }).observe(bar, { attributeFilter: ["value"] });
     });
-    await openFile(page, BLOCK.repeat(1_500_000) + CALL);
+    await openLarge(page, [
+      [BLOCK, 1_500_000],
+      [CALL, 1],
+    ]);
     // within the page: from outside, the reading may be over before a button that has just come is taken as still
     const [said, typed] = await page.evaluate(async () => {
       for (let frames = 0; frames < 1200 && !globalThis.shares.some(share => share > 0); frames++)
