@@ -31,6 +31,18 @@ const small = page =>
       .map(node => node.outerHTML.slice(0, 80)),
   );
 
+/** What is written upon the stage, where the buttons of the view stand. */
+const covered = page =>
+  page.evaluate(() => {
+    const hint = document.querySelector(".jog-hint").getBoundingClientRect();
+    return [...document.querySelectorAll(".jog-stage .stage-tool")]
+      .filter(node => {
+        const { left, right, top, bottom } = node.getBoundingClientRect();
+        return left < hint.right && right > hint.left && top < hint.bottom && bottom > hint.top;
+      })
+      .map(node => node.getAttribute("aria-label"));
+  });
+
 describe("an edge", () => {
   // oracle: hand (the left face of the block is at X 0 of the machine, the slider puts it to X 1.5)
   test("is set by mouse, rejected, hit and exported", async () => {
@@ -231,6 +243,15 @@ describe("every function", () => {
       });
       await page.locator("[data-function]").first().waitFor();
       assert.deepEqual([...(await faults(page)), ...(await small(page))], [], "the functions");
+      assert.equal(await page.locator(".jog-hint").isVisible(), true);
+      for (const window of [
+        { width, height },
+        { width: 320, height: 200 }, // a desktop at 400 %
+      ]) {
+        await page.setViewportSize(window);
+        assert.deepEqual(await covered(page), [], `${window.width} × ${window.height}`);
+      }
+      await page.setViewportSize({ width, height });
       const names = await page.locator("[data-function]").evaluateAll(all => all.map(one => one.dataset.function));
       assert.equal(names.length, 18);
       for (const name of names) {

@@ -4,7 +4,7 @@ import { after, before, describe, test } from "node:test";
 import { open, shared } from "./browser.mjs";
 import { unfold } from "./start.mjs";
 
-/** In the page: goes through all variants; gives the captions that lie upon another or stick out of the drawing. */
+/** In the page: goes through all variants; gives the captions that run into another or stick out of the drawing. */
 async function unreadable() {
   const drawn = () =>
     new Promise(resolve => {
@@ -38,8 +38,8 @@ async function unreadable() {
       for (const other of boxes.slice(0, index)) {
         const across = Math.min(box.right, other.box.right) - Math.max(box.left, other.box.left);
         const down = Math.min(box.bottom, other.box.bottom) - Math.max(box.top, other.box.top);
-        // a line has some air above and below its letters
-        if (across > 1 && down > 4) told(`${text} upon ${other.text}`);
+        // a line has some air above and below its letters; side by side, less than a space makes one word of two
+        if (across > -5 && down > 4) told(`${text} runs into ${other.text}`);
       }
     }
   }

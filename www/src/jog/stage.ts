@@ -18,7 +18,7 @@ export function createJogStage(root: HTMLElement, stage: Stage, practice: Practi
   const note = el("p", { class: "empty over-stage", role: "status" }, t("view-loading"));
   const corner = el("div", { class: "stage-corner" });
   const hint = el("p", { class: "jog-hint", role: "status" });
-  root.append(el("div", { class: "stage-box" }, corner, note, hint));
+  root.append(el("div", { class: "stage-box" }, corner, note), hint);
   let shown: { data: SceneData | null; theme: Shown | null } = { data: null, theme: null };
   let dressed = false;
   let now: JogState | null = null;

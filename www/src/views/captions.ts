@@ -29,7 +29,7 @@ interface Box {
 const CHARACTER = 6.6; // width of a character of a caption
 const ABOVE = 9; // of the base line
 const BELOW = 3;
-const BESIDE = 3; // between two captions in a row
+const BESIDE = 9; // between two captions in a row: more than a space, or a number reads on into the next one
 const COLLISION = 40; // weight of a pixel of height shared with another caption
 const STEPS = {
   x: [0, 8, -8, 16, -16, 26, -26, 38, -38, 52, -52],
