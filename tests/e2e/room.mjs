@@ -34,28 +34,35 @@ export const faults = page =>
     return found;
   });
 
-/** Whether the middle of an element, once it is scrolled to, is in the window and lies under nothing else. */
-const uncovered = node =>
-  node.evaluate(element => {
-    element.scrollIntoView({ block: "center", behavior: "instant" });
-    const { left, top, width, height } = element.getBoundingClientRect();
-    const hit = document.elementFromPoint(left + width / 2, top + height / 2);
-    return element.contains(hit) || (hit?.contains(element) === true && hit.matches("label, button"));
-  });
+/** In the page: the elements whose middle, once it is scrolled to, is not in the window or lies under another. */
+const coveredIn = elements =>
+  elements
+    .filter(element => element.checkVisibility({ visibilityProperty: true }))
+    .filter(element => {
+      element.scrollIntoView({ block: "center", behavior: "instant" });
+      const { left, top, width, height } = element.getBoundingClientRect();
+      const hit = document.elementFromPoint(left + width / 2, top + height / 2);
+      return !element.contains(hit) && !(hit?.contains(element) === true && hit.matches("label, button"));
+    })
+    .map(element => element.outerHTML.slice(0, 100));
 
-/** The same, at the latest when what is still being drawn has found its place. */
-export async function reachable(node) {
-  for (let tries = 0; tries < 10; tries++) {
-    if (await uncovered(node)) return true;
-    await node.page().waitForTimeout(100);
+/**
+ * What of the visible elements cannot be reached, when what is still being drawn has found its place. All of them in
+ * one question: asked one by one, the buttons of a panel take longer than everything else of a test.
+ */
+export async function unreachable(locator) {
+  let found = await locator.evaluateAll(coveredIn);
+  for (let tries = 1; found.length > 0 && tries < 10; tries++) {
+    await locator.page().waitForTimeout(100);
+    found = await locator.evaluateAll(coveredIn);
   }
-  return false;
+  return found;
 }
 
 /** By the button of the form, where help has no tab. */
 async function openHelp(page) {
   await choosePanel(page, "form");
-  assert.ok(await reachable(page.locator(".help-open")), "the way to the help");
+  assert.deepEqual(await unreachable(page.locator(".help-open")), [], "the way to the help");
   await page.locator(".help-open").click();
   await page.locator("#panel-help").waitFor();
   await drawn(page);
@@ -73,12 +80,12 @@ export async function choosePanel(page, name) {
   const tab = page.locator(`.panel-bar [aria-controls="panel-${name}"]`);
   if (name === "help" && !(await tab.isVisible())) return openHelp(page);
   if (name === "tasks" && !(await tab.isVisible())) {
-    assert.ok(await reachable(page.locator(".rail-more")), "the tab of the menu");
+    assert.deepEqual(await unreachable(page.locator(".rail-more")), [], "the tab of the menu");
     await openTasks(page);
     return drawn(page);
   }
   if (!(await tab.isVisible())) return uncover(page);
-  assert.ok(await reachable(tab), `the tab of ${name}`);
+  assert.deepEqual(await unreachable(tab), [], `the tab of ${name}`);
   await tab.click();
   await page.locator(`#panel-${name}`).waitFor();
   await drawn(page);
