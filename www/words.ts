@@ -20,7 +20,9 @@ const LATER_FILES = [
   "user-programs",
 ].map(name => `${name}.ftl`);
 // Names of what is explained: the search finds them, and texts mark terms; what they mean comes with the help.
-const NAME_OF_EXPLAINED = /^(concept|connection|term)-(?!group-|[a-z0-9-]+-(is|\d+) =)[a-z0-9-]+ =/;
+// A number at the end is a line of a concept; a connection has it as its own.
+const NAME_OF_EXPLAINED =
+  /^(connection-(?!group-|[a-z0-9-]+-is =)|(concept|term)-(?!group-|[a-z0-9-]+-(is|\d+) =))[a-z0-9-]+ =/;
 const GUIDE_LINE = /^guide-[a-z-]+-\d+ =/;
 const OF_CYCLE = /^cycle\d+\.ftl$/;
 const TERMINAL = "report.ftl"; // never shown in the page

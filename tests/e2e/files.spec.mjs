@@ -189,6 +189,23 @@ describe("a program file", () => {
     await context.close();
   });
 
+  // oracle: manual (C:1159): the beginning of a file tells its control
+  test("of another control is opened, and the way there shown", async () => {
+    const { context, page, problems } = await start(chrome);
+    await programInput(page).setInputFiles(file("bore.nc", "O1000\nG17 T9 H1\nM19\nM59\nG110 D50 S1\nM30\n"));
+    assert.match(await refusal(page).textContent(), /bore\.nc was opened\. It begins like a program for NCT/);
+    await counts(page.locator(".call-row"), 0);
+    await page.getByRole("button", { name: "Open under NCT" }).click();
+    await page.locator(".call-row").waitFor();
+    assert.match(await page.locator("#form-title").textContent(), /\S/);
+    await counts(page.locator(".refusal:visible"), 0);
+    const { name, bytes } = await saved(page, ".panel-program", "Save");
+    assert.equal(name, "bore.nc");
+    assert.match(bytes.toString(), /^O1000\nG17 T9 H1\n/);
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
   // oracle: hand
   test("of any length survives a reload", async () => {
     const { context, page, problems } = await start(chrome);

@@ -4,7 +4,6 @@ import { after, before, describe, test } from "node:test";
 import { counts, open, shared } from "./browser.mjs";
 import {
   drawn,
-  fromFormMenu,
   fromPageMenu,
   keptWhen,
   lengthField,

@@ -94,6 +94,30 @@ test("what newer controls and other makers have leads to its explanation", async
   }
 });
 
+// oracle: hand (the words of the help pages, which come later, are not asked for)
+test("what is explained has its name before its help has come", async () => {
+  const { explained } = JSON.parse(core.catalogue());
+  assert.ok(explained.length > 100, `${explained.length} of them`);
+  for (const language of ["en", "de", "zh"]) {
+    await texts.choose([language]);
+    const unnamed = explained.map(({ key }) => key).filter(key => texts.t(key) === key);
+    assert.deepEqual(unnamed, [], language);
+  }
+});
+
+// oracle: hand
+test("the words of the help come once, however often they are asked for", async () => {
+  const problems = [];
+  const { error } = console;
+  console.error = problem => problems.push(problem);
+  await texts.choose(["de"]);
+  await Promise.all([texts.helpWords(), texts.helpWords()]);
+  await texts.helpWords();
+  console.error = error;
+  assert.deepEqual(problems, []);
+  assert.equal(texts.hasHelp(), true);
+});
+
 // oracle: hand (German for a date; English for a zero point)
 test("what a word means in the language of the page comes first", async () => {
   for (const [language, meant] of [

@@ -2,6 +2,7 @@
 
 use crate::scene::Scene;
 use crate::steps::Steps;
+use probewright_core::dialect::Dialect;
 use probewright_core::scene::Source;
 use probewright_core::{app, encoding, json};
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -494,7 +495,11 @@ pub fn record_table(request: &str, say: &js_sys::Function) -> Result<String, JsE
 /// Tells by its bytes, which come in pieces, whether a file is a part program and how it is encoded.
 #[wasm_bindgen]
 #[derive(Default)]
-pub struct Recogniser(encoding::Recogniser);
+pub struct Recogniser {
+    bytes: encoding::Recogniser,
+    /// What the first piece tells; none: nothing was taken yet.
+    told: Option<Option<Dialect>>,
+}
 
 #[wasm_bindgen]
 impl Recogniser {
@@ -507,12 +512,13 @@ impl Recogniser {
 
     /// The next bytes of the file.
     pub fn take(&mut self, bytes: &[u8]) {
-        self.0.take(bytes);
+        self.told.get_or_insert_with(|| Dialect::told(bytes));
+        self.bytes.take(bytes);
     }
 
     /// What all of them are, as a `Recognised`.
     #[must_use]
     pub fn finish(self) -> String {
-        json::text(&app::Recognised::from(self.0.finish()))
+        json::text(&app::Recognised::of(self.bytes.finish(), self.told.flatten()))
     }
 }

@@ -13,6 +13,7 @@ const bundles = new Map<string, Messages>([[FALLBACK, made(FALLBACK, first)]]);
 const missing = new Set<string>();
 let order: string[] = [FALLBACK];
 const helped = new Set<string>(); // languages whose words of help are here
+const helping = new Map<string, Promise<void>>(); // and those whose are on the way or here: each is fetched once
 
 function made(language: string, words: string): Messages {
   const messages = createMessages(language);
@@ -33,15 +34,20 @@ export function allWords(): boolean {
 
 /** The words of the help pages, in the language that is spoken. */
 export async function helpWords(): Promise<void> {
-  await Promise.all(
-    order
-      .filter(one => !helped.has(one))
-      .map(async one => {
-        const words = await help[one]?.();
-        if (words !== undefined) bundles.get(one)?.add(words);
-        helped.add(one);
-      }),
-  );
+  await Promise.all(order.map(helpIn));
+}
+
+function helpIn(one: string): Promise<void> {
+  const fetched = helping.get(one) ?? fetchHelp(one);
+  helping.set(one, fetched);
+  fetched.catch(() => helping.delete(one)); // it may be had the next time
+  return fetched;
+}
+
+async function fetchHelp(one: string): Promise<void> {
+  const words = await help[one]?.();
+  if (words !== undefined) bundles.get(one)?.add(words);
+  helped.add(one);
 }
 
 /** Whether they have come. */

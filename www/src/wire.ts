@@ -2689,6 +2689,8 @@ export type RealTool = {
 export type Recognised = {
   /** How it is encoded. */
   encoding: Encoding,
+  /** The control that its beginning tells; absent: it tells none. */
+  control?: Dialect,
 } | {
   /** What it is instead. */
   why: Message,

@@ -1,5 +1,6 @@
 //! What a file is, by its bytes.
 
+use crate::dialect::Dialect;
 use crate::encoding::Encoding;
 use crate::message::Message;
 use serde::Serialize;
@@ -13,6 +14,10 @@ pub enum Recognised {
     Program {
         /// How it is encoded.
         encoding: Encoding,
+        /// The control that its beginning tells; absent: it tells none.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        #[cfg_attr(test, ts(optional))]
+        control: Option<Dialect>,
     },
     /// No program.
     Other {
@@ -21,10 +26,11 @@ pub enum Recognised {
     },
 }
 
-impl From<Result<Encoding, &'static str>> for Recognised {
-    fn from(found: Result<Encoding, &'static str>) -> Recognised {
+impl Recognised {
+    /// What was found by all bytes of a file, and what its first ones tell.
+    pub fn of(found: Result<Encoding, &'static str>, control: Option<Dialect>) -> Recognised {
         match found {
-            Ok(encoding) => Recognised::Program { encoding },
+            Ok(encoding) => Recognised::Program { encoding, control },
             Err(what) => Recognised::Other { why: Message::new(what) },
         }
     }

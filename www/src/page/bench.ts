@@ -94,7 +94,10 @@ export function createBench(parts: Parts): Bench {
   const told = createTold(core, () => store.state);
   const program = createProgram(panels.program, store, actions, open, parts.editor, name => define.open(name), told);
   const activities = createActivities(store, parts.work);
-  const refusals = [createRefusal(store, "program"), createRefusal(store, "setup")] as const;
+  const refusals = [
+    createRefusal(store, "program", actions.openUnder),
+    createRefusal(store, "setup", actions.openUnder),
+  ] as const;
   const newer = createNewer(store);
   const sets = createSets(actions);
   const card = createCard(actions);

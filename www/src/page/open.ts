@@ -12,7 +12,7 @@ import { keepPlace, movePlace } from "../state/places";
 import { isUnsaved } from "../state/saved";
 import { type Patch, programOf, type State } from "../state/state";
 import type { Store } from "../state/store";
-import { sayProblem } from "../texts";
+import { sayProblem, t } from "../texts";
 import { acceptDrops } from "../views/drop";
 
 /** Told in the program panel, which help may cover and another panel replace: it is shown. */
@@ -77,7 +77,14 @@ async function openProgramFile(
     await editor.prepare(read.text, within(pace, 0.4, 1));
     keepPlace(read.file.opened, place, file);
     actions.openProgram(read.text, read.file, read.mark);
+    tellControl(store, read);
   });
+}
+
+/** A program whose beginning tells another control than the one in use is opened, and the way to that one shown. */
+function tellControl(store: Store, { file: { name }, control }: Read): void {
+  if (!control || control === store.state.form.control) return;
+  refuse(store, "program", { key: "refused-other-control", args: { name, control: t(`control-${control}`) }, control });
 }
 
 /** One file is read as ever; of several the program is opened, and the others lie beside it. */
@@ -124,6 +131,7 @@ async function takeSeveral(
     if (main) {
       await editor.prepare(main.text, within(pace, 0.6, 1));
       actions.openProgram(main.text, main.file, main.mark, others);
+      tellControl(store, main);
     } else if (others.length) actions.putBeside(others);
     if (refused) refuse(store, "program", refused);
   });

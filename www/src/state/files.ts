@@ -41,6 +41,8 @@ export function fileOf(state: { form: { control: Dialect }; program: { files: Fi
 export interface Refusal {
   key: string;
   args: Record<string, string | number>;
+  /** The file was taken, but is meant for this control. */
+  control?: Dialect;
 }
 
 const MEGABYTE = 1e6;
@@ -101,31 +103,36 @@ function bytesOf(file: File): Bytes {
 }
 
 /** How a program is encoded, or why the file is none. */
-async function recognised(bytes: Bytes, core: ProgramCore, pace: Pace): Promise<Encoding | { why: string }> {
+async function recognised(
+  bytes: Bytes,
+  core: ProgramCore,
+  pace: Pace,
+): Promise<{ encoding: Encoding; control?: Dialect } | { why: string }> {
   const recogniser = core.recogniser();
   for (let at = 0; at < bytes.length; at += PIECE) {
     recogniser.take((await bytes.from(at)).subarray(0, PIECE));
     await pace.turn(at / bytes.length);
   }
   const found = recogniser.finish();
-  return "why" in found ? { why: say(found.why) } : found.encoding;
+  return "why" in found ? { why: say(found.why) } : found;
 }
 
 export async function readProgram(
   file: File,
   core: ProgramCore,
   pace: Pace,
-): Promise<{ text: string; file: ProgramFile; mark: string } | Refusal> {
+): Promise<{ text: string; file: ProgramFile; mark: string; control?: Dialect } | Refusal> {
   const { name } = file;
   const bytes = bytesOf(file);
   if (!holds(file.size / 4)) return notHeld(file); // a character has four bytes at most
   try {
-    const encoding = await recognised(bytes, core, within(pace, 0, 0.5));
-    if (typeof encoding !== "string") return { key: "refused-no-program", args: { name, ...encoding } };
+    const found = await recognised(bytes, core, within(pace, 0, 0.5));
+    if ("why" in found) return { key: "refused-no-program", args: { name, ...found } };
+    const { encoding, control } = found;
     if (!holds(encoding.startsWith("utf-16") ? file.size / 2 : file.size)) return notHeld(file);
     const text = await decodeFrom(bytes, encoding, within(pace, 0.5, 0.9));
     const mark = await markInPieces(text, encoding, within(pace, 0.9, 1));
-    return { text, file: { name, encoding, opened: openedNow() }, mark };
+    return { text, file: { name, encoding, opened: openedNow() }, mark, ...(control && { control }) };
   } catch (problem) {
     if (problem instanceof RangeError) return notHeld(file);
     if (!(problem instanceof DOMException)) throw problem;
@@ -138,9 +145,9 @@ export async function readText(file: File, core: ProgramCore): Promise<string | 
   const { name } = file;
   const bytes = bytesOf(file);
   try {
-    const encoding = await recognised(bytes, core, sliced());
-    if (typeof encoding !== "string") return { key: "refused-no-text", args: { name, ...encoding } };
-    return await decodeFrom(bytes, encoding, sliced());
+    const found = await recognised(bytes, core, sliced());
+    if ("why" in found) return { key: "refused-no-text", args: { name, ...found } };
+    return await decodeFrom(bytes, found.encoding, sliced());
   } catch (problem) {
     if (!(problem instanceof DOMException)) throw problem;
     return { key: "refused-unreadable", args: { name } };

@@ -18,10 +18,14 @@ export function withMark(state: State, control: Dialect, opened: number | undefi
   return { program: { saved: Object.fromEntries(mark === null ? kept : [...kept, [name, mark]]) } };
 }
 
+/** The mark of what the file of the program that is shown holds; null: it is not known. */
+export function markOf(state: State): string | null {
+  return state.program.saved[nameOf(state.form.control, fileOf(state).opened)] ?? null;
+}
+
 /** Whether the program that is shown has anything that its file lacks. */
 export function isUnsaved(state: State): boolean {
-  const { encoding, opened } = fileOf(state);
   const text = programOf(state);
-  const mark = state.program.saved[nameOf(state.form.control, opened)];
-  return mark === undefined ? text !== "" : !isMarkOf(mark, text, encoding);
+  const mark = markOf(state);
+  return mark === null ? text !== "" : !isMarkOf(mark, text, fileOf(state).encoding);
 }

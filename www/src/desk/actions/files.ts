@@ -3,7 +3,7 @@
 import type { Encoding } from "../../encoding";
 import type { Splice } from "../../eol";
 import { type BesideFile, fileOf, type ProgramFile } from "../../state/files";
-import { withMark } from "../../state/saved";
+import { markOf, withMark } from "../../state/saved";
 import { type Patch, patched, programMachine, programOf, type State } from "../../state/state";
 import type { Dialect, RunMode } from "../../wire";
 import { sameName } from "../beside";
@@ -22,6 +22,8 @@ export interface FilesActions {
   editProgram(edits: Splice[]): void;
   /** `mark`: of what the file holds; null: that is not known. */
   openProgram(text: string, file: ProgramFile, mark: string | null, beside?: readonly Opened[]): void;
+  /** The program that is shown, under another control; under this one it can be had back. */
+  openUnder(control: Dialect): void;
   /** Files that lie beside the program from now on; one of the same name takes the place of that one. */
   putBeside(files: readonly Opened[]): void;
   /** A file beside the program is shown and run; what was shown lies beside it. */
@@ -44,7 +46,7 @@ export interface FilesActions {
 }
 
 export function createFilesActions({ store, core, now, replace }: Acting, machine: MachineActions): FilesActions {
-  return {
+  const actions: FilesActions = {
     editProgram: edits =>
       store.update(state => patched(withEdits(state, edits), { desk: { follow: "text" }, page: { offer: false } })),
     openProgram(text, file, mark, more = []) {
@@ -76,6 +78,13 @@ export function createFilesActions({ store, core, now, replace }: Acting, machin
           page: { refused: null },
         },
       );
+    },
+    openUnder(control) {
+      store.flush(); // what was typed last belongs to the program
+      const state = now();
+      const [text, file, mark] = [programOf(state), fileOf(state), markOf(state)];
+      machine.chooseControl(control);
+      actions.openProgram(text, file, mark);
     },
     putBeside(more) {
       const { control } = now().form;
@@ -157,6 +166,7 @@ export function createFilesActions({ store, core, now, replace }: Acting, machin
     mode: (mode, target) => store.update({ run: { mode, target, stopped: null } }),
     main: main => store.update({ run: { main, stopped: null } }),
   };
+  return actions;
 }
 
 /** The files beside the program with these. */
