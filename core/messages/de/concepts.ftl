@@ -346,3 +346,11 @@ concept-told-mean = { $count ->
        *[other] { $count } der zehn Teile führen zu einer Korrektur. Danach beginnt der Mittelwert jeweils wieder bei 0.
     }
 concept-told-empirical = Die gemessene Differenz { $measured } mm zählt als { $counts } mm.
+concept-told-mono = { $beside ->
+        [0] Der Messtaster tastet in seiner Schaltrichtung an.
+       *[other] Der Messtaster tastet { $beside }° neben seiner Schaltrichtung an.
+    }
+concept-told-repeated = { $count ->
+        [1] Eine Antastung, { $mean } µm neben der Stelle; der Messtaster streut um { $scatter } µm.
+       *[other] Der Mittelwert aus { $count } Antastungen liegt { $mean } µm neben der Stelle. Er streut um { $scatter } µm, eine einzelne um 1.1 µm.
+    }

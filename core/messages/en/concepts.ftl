@@ -346,3 +346,11 @@ concept-told-mean = { $count ->
        *[other] { $count } of the ten parts lead to a correction. After each, the mean value restarts at 0.
     }
 concept-told-empirical = The measured difference { $measured } mm counts as { $counts } mm.
+concept-told-mono = { $beside ->
+        [0] The probe touches in its switching direction.
+       *[other] The probe touches { $beside }° beside its switching direction.
+    }
+concept-told-repeated = { $count ->
+        [1] One touch, { $mean } µm beside the place, where the probe scatters by { $scatter } µm.
+       *[other] The mean of { $count } touches is { $mean } µm beside the place. It scatters by { $scatter } µm, a single touch by 1.1 µm.
+    }

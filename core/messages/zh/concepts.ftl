@@ -345,3 +345,11 @@ concept-told-mean = { $count ->
        *[other] 十个工件中有 { $count } 个引起补偿。每次补偿后，平均值从 0 重新开始。
     }
 concept-told-empirical = 测得的差值 { $measured } mm 按 { $counts } mm 计算。
+concept-told-mono = { $beside ->
+        [0] 测头沿其触发方向接触。
+       *[other] 测头偏离其触发方向 { $beside }° 接触。
+    }
+concept-told-repeated = { $count ->
+        [1] 一次触碰，距该处 { $mean } µm；测头的离散为 { $scatter } µm。
+       *[other] { $count } 次触碰的平均值距该处 { $mean } µm。其离散为 { $scatter } µm，单次为 1.1 µm。
+    }

@@ -9,7 +9,7 @@ use crate::evaluate::tolerance::{Bands, Branch, chain};
 use crate::manual::explained::Example;
 use crate::message::Message;
 use crate::name::Name;
-use crate::picture::figures::{circle, dimension, line, rectangle};
+use crate::picture::figures::{circle, dimension, line, polar, ray, rectangle, swept};
 use crate::picture::{Picture, PictureShape, ShapeKind, View};
 
 /// Differences of ten parts, and the limit beyond which their mean value corrects, µm (B:1265-1284).
@@ -30,6 +30,11 @@ const BANDS: Bands = Bands {
 /// What an empirical value is subtracted from, and the tolerance around 0, mm.
 const MEASURED: f64 = 0.03;
 const TOLERANCE: f64 = 0.04;
+/// The direction in which a mono probe switches where the spindle stands at 0°, degree: it was not seated exactly.
+const SEATED: f64 = -12.0;
+/// What nine touches of one place differ from it, µm, and the standard deviation of the probe that gave them.
+const TOUCHES: [f64; 9] = [1.2, -0.7, 0.6, -1.5, 0.2, 1.8, -0.4, -1.1, 0.8];
+const SCATTER: f64 = 1.1;
 /// Parts of the paper: radius of a point, and paper for a mm where hundredths matter.
 const POINT: f64 = 1.4;
 const FINE: f64 = 1000.0;
@@ -44,6 +49,8 @@ pub enum Sketch {
     Empirical,
     Chain,
     Braking,
+    Mono,
+    Repeated,
 }
 
 impl Sketch {
@@ -53,6 +60,8 @@ impl Sketch {
             "sketch/empirical" => Some(Sketch::Empirical),
             "sketch/chain" => Some(Sketch::Chain),
             "sketch/braking" => Some(Sketch::Braking),
+            "sketch/mono" => Some(Sketch::Mono),
+            "sketch/repeated" => Some(Sketch::Repeated),
             _ => None,
         }
     }
@@ -63,6 +72,8 @@ impl Sketch {
             Sketch::Empirical => ("_EV", "concept-empirical-value", "mm", 0.001, 0.02),
             Sketch::Chain => ("", "concept-drag-difference", "mm", 0.001, 0.03),
             Sketch::Braking => ("", "concept-drag-feed", "mm/min", 10.0, (example.from + example.to) / 2.0),
+            Sketch::Mono => ("_CORA", "param-cora", "°", 1.0, 0.0),
+            Sketch::Repeated => ("_NMSP", "param-nmsp", "", 1.0, 3.0),
         };
         dragged(example, name, Message::new(key), unit, step).at(value)
     }
@@ -73,6 +84,8 @@ impl Sketch {
             Sketch::Empirical => of_empirical(value),
             Sketch::Chain => of_chain(value),
             Sketch::Braking => of_braking(value),
+            Sketch::Mono => of_mono(value),
+            Sketch::Repeated => of_repeated(value.round()),
         }
     }
 }
@@ -189,6 +202,40 @@ fn of_braking(feed: f64) -> ConceptPicture {
     plane(shapes, Typed::new(), told)
 }
 
+/// A mono probe in front of a face at the right: the way that it is led, and the direction in which it switches.
+fn of_mono(corrected: f64) -> ConceptPicture {
+    let beside = SEATED + corrected;
+    let (ball, face, tip) = (6.0, 30.0, polar(beside, 22.0));
+    let mut shapes = vec![
+        line(ShapeKind::Edge, vec![[face, -20.0], [face, 20.0]]),
+        circle(ShapeKind::Probe, [0.0, 0.0], ball),
+        line(ShapeKind::Path, vec![[0.0, 0.0], [face - ball, 0.0]]),
+        circle(ShapeKind::Touch, [face, 0.0], POINT),
+    ];
+    shapes.extend(ray(names::CORA, [0.0, 0.0], tip, 3.0));
+    shapes.extend(swept(names::CORA, 16.0, 0.0, beside));
+    let told = Message::new("concept-told-mono").number("beside", beside.abs());
+    plane(shapes, [value_of(names::CORA, corrected)].into_iter().collect(), told)
+}
+
+/// Touches of one place, one below the other, and their mean value.
+fn of_repeated(count: f64) -> ConceptPicture {
+    let touches = TOUCHES.get(..count as usize).unwrap_or(&TOUCHES);
+    let mean = touches.iter().sum::<f64>() / count;
+    let bottom = -(TOUCHES.len() as f64);
+    let mut shapes = vec![
+        line(ShapeKind::Axis, vec![[0.0, 0.0], [0.0, bottom - 1.0]]),
+        line(ShapeKind::Edge, vec![[mean, 0.0], [mean, bottom - 1.0]]).of(names::NMSP),
+    ];
+    let touch = |(row, at): (usize, &f64)| circle(ShapeKind::Touch, [*at, -(row as f64) - 1.0], POINT / 8.0);
+    shapes.extend(touches.iter().enumerate().map(touch));
+    let told = Message::new("concept-told-repeated")
+        .number("count", count)
+        .number("mean", (mean * 100.0).round() / 100.0)
+        .number("scatter", (SCATTER / count.sqrt() * 100.0).round() / 100.0);
+    plane(shapes, [value_of(names::NMSP, count)].into_iter().collect(), told)
+}
+
 /// To a ten thousandth.
 fn rounded(value: f64) -> f64 {
     (value * 10_000.0).round() / 10_000.0
@@ -213,6 +260,24 @@ mod tests {
         assert_eq!(number(Sketch::Mean.draw(3.0).told, "count"), Some(2.0));
         assert_eq!(number(Sketch::Braking.draw(6000.0).told, "sum"), Some(12.6));
         assert_eq!(number(Sketch::Empirical.draw(0.01).told, "counts"), Some(0.02));
+    }
+
+    // oracle: manual B:2344-2356 (the arithmetic mean counts); hand: 1.2, 0.5/2, 1.1/3; n touches scatter by 1/√n
+    #[test]
+    fn more_touches_scatter_less() {
+        for (count, mean, scatter) in [(1.0, 1.2, 1.1), (2.0, 0.25, 0.78), (3.0, 0.37, 0.64), (9.0, 0.1, 0.37)] {
+            let told = Sketch::Repeated.draw(count).told;
+            assert_eq!(number(told.clone(), "mean"), Some(mean), "{count}");
+            assert_eq!(number(told, "scatter"), Some(scatter), "{count}");
+        }
+    }
+
+    // oracle: hand: a probe that is seated at −12° is set right by 12°
+    #[test]
+    fn the_offset_angle_turns_the_switching_direction_to_the_face() {
+        assert_eq!(number(Sketch::Mono.draw(0.0).told, "beside"), Some(12.0));
+        assert_eq!(number(Sketch::Mono.draw(12.0).told, "beside"), Some(0.0));
+        assert_eq!(number(Sketch::Mono.draw(-18.0).told, "beside"), Some(30.0));
     }
 
     // oracle: manual B:1286-1422: each limit in its order
