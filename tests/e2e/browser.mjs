@@ -47,7 +47,7 @@ export async function launch(setup = "neither") {
 // Playwright's (viewport, colorScheme, …).
 export async function open(browser, { path = "#measure", ...options } = {}) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, locale: "en-GB", ...options });
-  context.setDefaultTimeout(15_000);
+  context.setDefaultTimeout(30_000); // a busy machine with two cores takes a third of it
   const page = await context.newPage();
   if (process.env.PROBEWRIGHT_SLOW) await slow(page, Number(process.env.PROBEWRIGHT_SLOW));
   const problems = watch(page);
@@ -78,7 +78,7 @@ function watch(page) {
   return problems;
 }
 
-const SOON = 5000; // ms
+const SOON = 10_000; // ms
 
 // Fails unless there are `expected` elements, or soon will be: what an action changes is drawn after it, on a slow
 // machine well after it. An action that is to change nothing is followed by something that can be waited for.
