@@ -97,6 +97,7 @@ fn said(test: Test, value: f64, limit: f64) -> Message {
     let (have, want) = (value as u32, limit as u32);
     let (key, bits) = match test {
         Test::AtLeast => ("machine-check-low", 0),
+        Test::AtMost => ("machine-check-high", 0),
         Test::Equal => ("machine-check-not", 0),
         Test::UpTo => ("machine-check-between", 0),
         Test::Set => ("machine-check-bits-missing", want & !have),
