@@ -71,6 +71,7 @@ fn fault(
         severity: limit.severity,
         value: match need.test {
             Test::UpTo => format!("1..{}", limit.value),
+            Test::AtMost => format!("≤ {}", limit.value),
             Test::Clear => format!("{} = 0", written(name, limit.value)),
             _ => written(name, limit.value),
         },
