@@ -274,6 +274,7 @@ sentences! {
     OLDER_FACTOR 216 Note "older-factor" "";
     OLDER_MISSING 217 Note "older-missing" "older-missing-hint";
     OLDER_CLASH 218 Warning "older-clash" "older-clash-hint";
+    OLDER_CLASH_LATER 218 Warning "older-clash-later" "older-clash-later-hint";
     NCT_LEVELS 222 Note "nct-levels" "nct-levels-hint";
     NCT_MACRO_LEVELS 223 Error "nct-macro-levels" "nct-levels-deep-hint";
     NCT_SUBPROGRAM_LEVELS 223 Error "nct-subprogram-levels" "nct-levels-deep-hint";

@@ -100,6 +100,13 @@ describe("the check of a machine", () => {
     await shown.getByLabel("Permitted deflection").fill("2");
     await shown.getByText(/Largest feed for this deflection: 1,?372\.4/).waitFor();
     await shown.locator(".exported-group.warning", { hasText: "E_MESS_F" }).waitFor();
+    for (const wrong of ["-2", "0", "two"]) {
+      await shown.getByLabel("Permitted deflection").fill(wrong);
+      await shown.getByText(`The deflection cannot be ${wrong}: enter a number above 0.`).waitFor();
+      await shown.getByLabel("Permitted deflection").and(page.locator('[aria-invalid="true"]')).waitFor();
+    }
+    await shown.getByLabel("Export of the control").fill(axis.replace("[X1]=1", "[X1]=-1"));
+    await shown.locator(".exported-group.warning", { hasText: "MD32300" }).waitFor();
     assert.deepEqual(problems, []);
     await context.close();
   });

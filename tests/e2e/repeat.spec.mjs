@@ -44,7 +44,14 @@ describe("the test of a probe", () => {
     await shown.getByLabel("Values of the real machine").fill("20.1 many");
     await shown.getByText("many is not a number.").waitFor();
     await shown.getByLabel("Feed").fill("fast");
-    await shown.getByText("Feed is not possible.").waitFor();
+    await shown.getByText("fast is not a number.").waitFor();
+    const marked = label => shown.getByLabel(label).and(page.locator('[aria-invalid="true"]')).waitFor();
+    await marked("Feed");
+    await shown.getByLabel("Feed").fill("");
+    await shown.getByLabel("Values of the real machine").fill("");
+    await shown.getByLabel("Number of touches").fill("-4");
+    await shown.getByText("The number of touches must be a whole number from 2 to 500.").waitFor();
+    await marked("Number of touches");
     assert.deepEqual(problems, []);
     await context.close();
   });

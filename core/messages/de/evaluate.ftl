@@ -12,6 +12,7 @@ evaluate-corrects-both = Korrigiert wird um das Mittel beider Differenzen
 evaluate-corrects-zero = Das Mittel beider Differenzen ist 0, nichts wird korrigiert
 evaluate-corrects-mean = Korrigiert wird um den Mittelwert
 evaluate-corrects-nothing = Wegen _KNUM=0 wird nichts korrigiert
+evaluate-corrects-simulated = Diese Simulation korrigiert nichts
 evaluate-restarts = Der Mittelwert beginnt neu: { $name } wird 0.
 evaluate-small = Differenz { $difference } mm ergibt Mittelwert { $mean } mm im Nullkorrekturbereich: Nichts wird korrigiert.
 evaluate-kept = Differenz zum gespeicherten Wert höchstens { $limit } mm (_TZL), daher unverändert: { $data }.
@@ -26,6 +27,7 @@ evaluate-tool-difference = Differenz { $difference } mm erreicht oder überschr
 evaluate-tool-small = Differenz { $difference } mm liegt im Nullkorrekturbereich, { $limit } mm: Dieser Wert wird nicht korrigiert.
 evaluate-tool-geometry = Differenz { $difference } mm und bisheriger Verschleiß werden in die Geometrie eingerechnet; der Verschleiß wird 0.
 evaluate-tool-wear = Differenz { $difference } mm wird im Verschleiß korrigiert.
+evaluate-tool-simulated = Differenz { $difference } mm wird nicht korrigiert: Diese Simulation korrigiert nichts.
 evaluate-compensation-make = Die Korrekturtabelle dieses Messtasterherstellers (_TP_CF = { $make }) liegt in der Steuerung und steht in keinem Handbuch: Die Simulation subtrahiert nichts. Bei _MT_COMP = 2 gelten eigene Tabellen in _MT_EC_R und _MT_EC_L.
 evaluate-compensation = Vom Messwert werden { $amount } mm aus Korrekturtabelle { $table } subtrahiert.
 evaluate-screen = Die Steuerung zeigt das Messergebnisbild, bis der Zyklus endet.

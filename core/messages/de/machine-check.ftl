@@ -3,8 +3,11 @@
 machine-check-nothing = Nichts in diesem Text ist ein Maschinendatum oder Anwenderdatum, das zum Messen nötig ist: eine Datei mit Maschinendaten (.TEA, INITIAL.INI), eine Definitionsdatei oder ein Serieninbetriebnahme-Archiv in Textform wählen.
 machine-check-ending = Verglichene Daten: { $read }. Fehler: { $errors }. Warnungen: { $warnings }. Hinweise: { $notes }. Andere Zuweisungen in den Dateien: { $others }.
 machine-check-unread = Der Wert ist nicht lesbar: { $value }
+machine-check-unlike = Die Nummer { $value } gehört zu einem anderen Datum: Die Steuerung liest den Bezeichner.
+machine-check-positive = { $value } ist nicht möglich: Der Wert muss über 0 liegen. Damit wird kein Bremsweg berechnet.
 machine-check-twice = Zweimal mit verschiedenen Werten vorhanden: { $before }, dann { $value }. Der letzte gilt.
 machine-check-low = { $value } ist zu klein; mindestens { $limit }.
+machine-check-high = { $value } ist zu groß; höchstens { $limit }.
 machine-check-not = { $value } statt { $limit }.
 machine-check-between = { $value } liegt nicht zwischen 1 und { $limit }.
 machine-check-bits-missing = Diese Bits müssen 1 sein: { $bits }.

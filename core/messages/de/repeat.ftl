@@ -1,7 +1,15 @@
 # Wiederholtes Antasten einer Stelle: Testprogramme des Messtasters und ihre Auswertung.
 
 repeat-control = Die Testprogramme sind für SINUMERIK-Steuerungen.
-repeat-value = { $name } ist nicht möglich.
+repeat-value = { $name ->
+    [axis] Die Achse muss X, Y oder Z sein.
+    [from] Die Startposition muss eine Zahl von -{ $most } bis { $most } sein.
+    [to] Das Ende ohne Signal muss eine Zahl von -{ $most } bis { $most } und nicht die Startposition sein.
+    [feed] Der Vorschub muss über 0 und darf höchstens { $most } sein.
+    [input] Der Messeingang muss 1 oder 2 sein.
+    [count] Die Anzahl der Antastungen muss eine ganze Zahl von { $least } bis { $most } sein.
+   *[parameters] Der erste R-Parameter muss eine ganze Zahl von { $least } bis { $most } sein.
+    }
 repeat-few = Mindestens zwei Werte sind nötig.
 repeat-many = Höchstens { $most } Werte werden ausgewertet.
 repeat-not-a-number = { $value } ist keine Zahl.

@@ -86,6 +86,7 @@ terminal-around-found = um den Aufruf: { $title } [{ $name }] { $values }
 terminal-pair = Nicht in der Form NAME=WERT: { $text }
 terminal-alarm = Es gibt keinen Alarm und keine Meldung { $name }
 terminal-name = Kein Zyklus, keine Variable, keine Meldung und kein Alarm hat diesen Namen: { $name }
+explain-idle = In der Simulation ohne Wirkung.
 terminal-large = größer als { $most } MB; eine kleinere Datei wählen
 terminal-picture = kein lesbares PNG-Bild; das Bild als PNG exportieren oder eine STL-Datei angeben
 terminal-file-missing = Datei oder Ordner nicht vorhanden; Namen und Ordner prüfen

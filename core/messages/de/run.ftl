@@ -146,4 +146,5 @@ run-skipped-simulation = { $word } wird übersprungen: Simulation mit _MC_SIMSIM
 run-jobshop = { $word } wird simuliert: Er misst, korrigiert aber nichts, zeigt kein Ergebnis und protokolliert nicht.
 run-deviation = { $word } misst { $deviation } mm hinter der Berührung in Messrichtung (_MC_SIMDIFF).
 run-search-missed = Der Satzsuchlauf hat Zeile { $line } nicht erreicht: Alle Messzyklen wurden übersprungen.
+run-search-target = Der Satzsuchlauf hat kein Suchziel: Alle Messzyklen wurden übersprungen. Die Zeile eingeben, an der er endet.
 run-mode-none = NCT-Steuerungen haben die Betriebsart { $word } hier nicht: Das Programm lief wie in AUTOMATIK.

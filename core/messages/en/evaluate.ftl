@@ -12,6 +12,7 @@ evaluate-corrects-both = the correction is the mean of the two differences
 evaluate-corrects-zero = the mean of the two differences is 0, so nothing is corrected
 evaluate-corrects-mean = the correction is the mean value
 evaluate-corrects-nothing = nothing is corrected because _KNUM=0
+evaluate-corrects-simulated = this simulation corrects nothing
 evaluate-restarts = The mean value restarts: { $name } is set to 0.
 evaluate-small = Difference { $difference } mm gives mean value { $mean } mm, which is within the zero compensation area: nothing is corrected.
 evaluate-kept = At most { $limit } mm (_TZL) from the stored value and therefore unchanged: { $data }.
@@ -26,6 +27,7 @@ evaluate-tool-difference = Difference { $difference } mm is not below the permi
 evaluate-tool-small = Difference { $difference } mm does not exceed the zero compensation area, { $limit } mm: this value is not corrected.
 evaluate-tool-geometry = Difference { $difference } mm and the previous wear go into the geometry; the wear is set to 0.
 evaluate-tool-wear = Difference { $difference } mm is corrected in the wear.
+evaluate-tool-simulated = Difference { $difference } mm is not corrected: this simulation corrects nothing.
 evaluate-compensation-make = The table of this probe make (_TP_CF = { $make }) is internal to the control and not in any manual: it is not applied here. Your own table in _MT_EC_R and _MT_EC_L, with _MT_COMP = 2, is applied.
 evaluate-compensation = { $amount } mm from table { $table } is subtracted from the measured value.
 evaluate-screen = The control shows the measuring result screen until the cycle ends.

@@ -3,8 +3,11 @@
 machine-check-nothing = Nothing in this text is a machine datum or user datum that measuring needs: choose a file of machine data (.TEA, INITIAL.INI), a definition file or a series archive in text form.
 machine-check-ending = Data compared: { $read }. Errors: { $errors }. Warnings: { $warnings }. Notes: { $notes }. Other assignments in the files: { $others }.
 machine-check-unread = The value cannot be read: { $value }
+machine-check-unlike = The number { $value } is that of another datum: the control reads the identifier.
+machine-check-positive = { $value } is not possible: the value must be above 0. No braking path is calculated with it.
 machine-check-twice = Given twice with different values: { $before }, then { $value }. The last one counts.
 machine-check-low = { $value } is too low; at least { $limit }.
+machine-check-high = { $value } is too high; at most { $limit }.
 machine-check-not = { $value } instead of { $limit }.
 machine-check-between = { $value } is not between 1 and { $limit }.
 machine-check-bits-missing = Bits that must be 1: { $bits }.

@@ -1,7 +1,15 @@
 # Repeated touches of one place: the test programs of a probe, and what the values come to.
 
 repeat-control = The test programs are for SINUMERIK controls.
-repeat-value = { $name } is not possible.
+repeat-value = { $name ->
+    [axis] The axis must be X, Y or Z.
+    [from] The start must be a number from -{ $most } to { $most }.
+    [to] The end without a signal must be a number from -{ $most } to { $most } other than the start.
+    [feed] The feed must be above 0 and at most { $most }.
+    [input] The measuring input must be 1 or 2.
+    [count] The number of touches must be a whole number from { $least } to { $most }.
+   *[parameters] The first R parameter must be a whole number from { $least } to { $most }.
+    }
 repeat-few = At least two values are needed.
 repeat-many = At most { $most } values are evaluated.
 repeat-not-a-number = { $value } is not a number.

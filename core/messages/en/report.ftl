@@ -90,6 +90,7 @@ terminal-around-found = around the call: { $title } [{ $name }] { $values }
 terminal-pair = not NAME=VALUE: { $text }
 terminal-alarm = there is no alarm or message { $name }
 terminal-name = no cycle, data item, finding or alarm has this name: { $name }
+explain-idle = No effect in the simulation.
 terminal-large = larger than { $most } MB; choose a smaller file
 terminal-picture = not a PNG picture that can be read; export the picture as PNG, or name an STL file
 terminal-file-missing = there is no such file or folder; check name and folder

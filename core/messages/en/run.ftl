@@ -146,4 +146,5 @@ run-skipped-simulation = { $word } is skipped: simulation with _MC_SIMSIM = 0. _
 run-jobshop = { $word } is simulated: it measures, but corrects nothing, shows no result and writes no log.
 run-deviation = { $word } measures { $deviation } mm beyond the touch in the measuring direction (_MC_SIMDIFF).
 run-search-missed = The block search did not reach line { $line }: all measuring cycles were skipped.
+run-search-target = The block search has no target: all measuring cycles were skipped. Enter the line at which it ends.
 run-mode-none = NCT controls do not have the mode { $word } here: the program ran as in AUTOMATIC.

@@ -3,8 +3,11 @@
 machine-check-nothing = 此文本中没有测量所需的机床数据或用户数据：请选择机床数据文件（.TEA、INITIAL.INI）、定义文件或文本形式的批量调试存档。
 machine-check-ending = 已比较的数据：{ $read }。错误：{ $errors }。警告：{ $warnings }。提示：{ $notes }。文件中的其他赋值：{ $others }。
 machine-check-unread = 无法读取该值：{ $value }
+machine-check-unlike = 编号 { $value } 属于另一个数据：控制系统读取标识符。
+machine-check-positive = { $value } 无效：该值必须大于 0，不用它计算制动距离。
 machine-check-twice = 两次给出不同的值：先为 { $before }，后为 { $value }。以最后一个为准。
 machine-check-low = { $value } 太小；至少为 { $limit }。
+machine-check-high = { $value } 太大；最大为 { $limit }。
 machine-check-not = { $value }，应为 { $limit }。
 machine-check-between = { $value } 不在 1 至 { $limit } 之间。
 machine-check-bits-missing = 以下各位必须为 1：{ $bits }。

@@ -1,7 +1,15 @@
 # 重复触碰同一位置：测头的测试程序及其评估。
 
 repeat-control = 测试程序用于 SINUMERIK 控制系统。
-repeat-value = { $name } 不可能。
+repeat-value = { $name ->
+    [axis] 轴必须是 X、Y 或 Z。
+    [from] 起点必须是 -{ $most } 到 { $most } 的数。
+    [to] 无信号时的终点必须是 -{ $most } 到 { $most } 的数，且不同于起点。
+    [feed] 进给率必须大于 0，最大 { $most }。
+    [input] 测量输入必须是 1 或 2。
+    [count] 触碰次数必须是 { $least } 到 { $most } 的整数。
+   *[parameters] 第一个 R 参数必须是 { $least } 到 { $most } 的整数。
+    }
 repeat-few = 至少需要两个值。
 repeat-many = 最多评估 { $most } 个值。
 repeat-not-a-number = { $value } 不是数字。

@@ -86,6 +86,7 @@ terminal-around-found = 调用前后：{ $title } [{ $name }] { $values }
 terminal-pair = 不是 NAME=VALUE 的形式：{ $text }
 terminal-alarm = 没有报警或信息 { $name }
 terminal-name = 没有这个名称的循环、数据、检查结果或报警：{ $name }
+explain-idle = 在模拟中不起作用。
 terminal-large = 大于 { $most } MB；请选择较小的文件
 terminal-picture = 不是可读取的 PNG 图片；请将图片导出为 PNG，或指定 STL 文件
 terminal-file-missing = 没有该文件或文件夹；请检查名称和文件夹

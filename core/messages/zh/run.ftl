@@ -146,4 +146,5 @@ run-skipped-simulation = 跳过 { $word }：仿真且 _MC_SIMSIM = 0。_OVR[] �
 run-jobshop = { $word } 为仿真：进行测量，但不补偿刀具和零点偏移，不显示结果画面，也不写测量记录。
 run-deviation = { $word } 的测量位置沿测量方向超出接触点 { $deviation } mm（_MC_SIMDIFF）。
 run-search-missed = 程序段搜索没有到达第 { $line } 行：跳过了所有测量循环。
+run-search-target = 程序段搜索没有目标：跳过了所有测量循环。请输入搜索结束的行。
 run-mode-none = NCT 控制系统在此没有运行方式 { $word }：程序按自动方式执行。

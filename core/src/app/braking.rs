@@ -54,10 +54,12 @@ pub struct BrakingPath {
 pub fn braking(asked: BrakingRequest) -> Result<BrakingView, Error> {
     let BrakingRequest { delay, acceleration, gain, feed, deflection } = asked;
     let axis = Braking { delay, acceleration, gain };
-    let given = [("feed", feed), ("deflection", deflection)].map(|(name, value)| (name, value.unwrap_or(0.0)));
-    let negative = given.into_iter().find(|(_, value)| !(value.is_finite() && *value >= 0.0));
-    if let Some((name, value)) = axis.impossible().or(negative) {
-        return Err(Error::new("braking-value", Path::of(&[name])).number("value", value).text("name", name));
+    let wrong = |(name, value): (&'static str, Option<f64>)| {
+        value.filter(|value| !(value.is_finite() && *value > 0.0)).map(|value| (name, value))
+    };
+    let asked = || [("feed", feed), ("deflection", deflection)].into_iter().find_map(wrong);
+    if let Some((name, value)) = axis.impossible().or_else(asked) {
+        return Err(refused(name, value));
     }
     let path = feed.map(|feed| axis.parts(feed)).map(|parts| BrakingPath {
         delay: parts.delay,
@@ -66,4 +68,32 @@ pub fn braking(asked: BrakingRequest) -> Result<BrakingView, Error> {
         sum: parts.sum(),
     });
     Ok(BrakingView { path, feed: deflection.map(|deflection| axis.feed(deflection)) })
+}
+
+/// Why a value cannot be.
+pub(super) fn refused(name: &'static str, value: f64) -> Error {
+    Error::new("braking-value", Path::of(&[name])).number("value", value).text("name", name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    // oracle: hand (no axis stops without deceleration or gain, no probe allows less than nothing)
+    #[test]
+    fn values_that_cannot_be_are_named() {
+        let fine = BrakingRequest { delay: 0.0, acceleration: 1.0, gain: 1.0, feed: None, deflection: None };
+        assert!(braking(fine).is_ok());
+        for wrong in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+            for (name, asked) in [
+                ("acceleration", BrakingRequest { acceleration: wrong, ..fine }),
+                ("gain", BrakingRequest { gain: wrong, ..fine }),
+                ("feed", BrakingRequest { feed: Some(wrong), ..fine }),
+                ("deflection", BrakingRequest { deflection: Some(wrong), ..fine }),
+            ] {
+                let told = braking(asked).err().and_then(|error| error.message.word("name").map(str::to_owned));
+                assert_eq!(told.as_deref(), Some(name), "{wrong}");
+            }
+        }
+    }
 }

@@ -42,11 +42,11 @@ pub struct RepeatRequest {
     /// Measuring input, 1 or 2; absent: that of the workpiece probe, `_CHBIT[0]`.
     pub input: Option<u8>,
     /// Touches; absent: 10.
-    pub count: Option<usize>,
+    pub count: Option<f64>,
     /// Whether the values are those of the machine system; absent: of the workpiece system.
     pub machine: Option<bool>,
     /// First R parameter that keeps the values; absent: an array of the program does.
-    pub parameters: Option<usize>,
+    pub parameters: Option<f64>,
     /// Whether M6 changes the tool; absent: it does not.
     pub changes: Option<bool>,
     /// Values of a real machine, with blanks between them; absent: the program is run.
@@ -138,11 +138,11 @@ pub fn repeat_on(asked: &RepeatRequest, setup: Setup) -> Result<RepeatView, Erro
     if setup.control.dialect != Dialect::Sinumerik {
         return Err(Error::new("repeat-control", Path::of(&["setup", "control"])));
     }
-    let (test, count) = (test(asked, &setup)?, whole(asked)?);
+    let (test, (count, first)) = (test(asked, &setup)?, whole(asked)?);
     let said = |key: &str| asked.words.as_ref().and_then(|words| words.get(key)).cloned();
     let words = |key: &str| said(key).unwrap_or_else(|| key.to_owned());
     let machine = asked.machine.unwrap_or(false);
-    let keep = asked.parameters.map_or(Keep::Array, Keep::Parameters);
+    let keep = first.map_or(Keep::Array, Keep::Parameters);
     let factor = setup.control.active_units.factor();
     let mut notes = beside(&test, &setup, factor);
     let mut lines = Vec::new();
@@ -176,7 +176,7 @@ pub fn repeat_on(asked: &RepeatRequest, setup: Setup) -> Result<RepeatView, Erro
 /// What is to be touched.
 fn test(asked: &RepeatRequest, setup: &Setup) -> Result<ProbeTest, Error> {
     let control = &setup.control;
-    let wrong = |name: &'static str| Error::new("repeat-value", Path::of(&[name])).text("name", name);
+    let wrong = |name: &'static str| refused(name, [0.0, LARGEST]);
     let letter = asked.axis.as_deref().unwrap_or("X").trim().to_ascii_uppercase();
     let axis = AXES.iter().take(3).position(|axis| *axis == letter).ok_or_else(|| wrong("axis"))?;
     let within = |name: &'static str, value: f64| {
@@ -196,14 +196,20 @@ fn test(asked: &RepeatRequest, setup: &Setup) -> Result<ProbeTest, Error> {
     Ok(ProbeTest { axis, ends, feed, input, place, changes: asked.changes.unwrap_or(false), plane: control.plane })
 }
 
-/// How many touches.
-fn whole(asked: &RepeatRequest) -> Result<usize, Error> {
-    let count = asked.count.unwrap_or(10);
-    if (2..=MOST[0]).contains(&count) && asked.parameters.is_none_or(|first| first <= 10_000) {
-        return Ok(count);
-    }
-    let name = if (2..=MOST[0]).contains(&count) { "parameters" } else { "count" };
-    Err(Error::new("repeat-value", Path::of(&[name])).text("name", name))
+/// How many touches, and the first R parameter that keeps their values.
+fn whole(asked: &RepeatRequest) -> Result<(usize, Option<usize>), Error> {
+    let within = |name: &'static str, value: f64, ends: [f64; 2]| {
+        let fits = value.fract() == 0.0 && (ends[0]..=ends[1]).contains(&value);
+        if fits { Ok(value as usize) } else { Err(refused(name, ends)) }
+    };
+    let count = within("count", asked.count.unwrap_or(10.0), [2.0, MOST[0] as f64])?;
+    let first = asked.parameters.map(|first| within("parameters", first, [0.0, 10_000.0]));
+    Ok((count, first.transpose()?))
+}
+
+/// Why a value cannot be, with the least and the most.
+fn refused(name: &'static str, [least, most]: [f64; 2]) -> Error {
+    Error::new("repeat-value", Path::of(&[name])).text("name", name).number("least", least).number("most", most)
 }
 
 /// Values with blanks, line ends or semicolons between them; a decimal comma is one.
@@ -357,7 +363,7 @@ mod tests {
     #[test]
     fn ten_touches_spread_as_the_probe_does() {
         // oracle: hand (the face is halfway, the scatter that of the probe: a sample of 400 has its deviation to 15 %)
-        let view = repeat(RepeatRequest { count: Some(400), ..asked() }).unwrap();
+        let view = repeat(RepeatRequest { count: Some(400.0), ..asked() }).unwrap();
         assert_eq!(view.found.values.len(), 400);
         assert!((view.found.mean - 25.0).abs() < 0.0003, "{}", view.found.mean);
         assert!((view.found.deviation / 0.001 - 1.0).abs() < 0.15, "{}", view.found.deviation);
@@ -394,7 +400,7 @@ mod tests {
         for text in [&view.function, &view.program] {
             assert_eq!(findings(&syntax::read(Dialect::Sinumerik, text.as_bytes())), [], "{text}");
         }
-        let kept = RepeatRequest { parameters: Some(100), machine: Some(true), changes: Some(true), ..asked() };
+        let kept = RepeatRequest { parameters: Some(100.0), machine: Some(true), changes: Some(true), ..asked() };
         let view = repeat(kept).unwrap();
         assert!(view.program.contains("R[100+PW_K]=$AA_MM[X]") && view.program.contains("N30 M6"), "{}", view.program);
     }
@@ -416,7 +422,12 @@ mod tests {
         assert_eq!(refused(RepeatRequest { axis: Some("Q".into()), ..asked() }), "repeat-value");
         assert_eq!(refused(RepeatRequest { to: Some(0.0), ..asked() }), "repeat-value");
         assert_eq!(refused(RepeatRequest { feed: Some(f64::NAN), ..asked() }), "repeat-value");
-        assert_eq!(refused(RepeatRequest { count: Some(1), ..asked() }), "repeat-value");
+        for count in [-4.0, 0.0, 1.0, 2.5, MOST[0] as f64 + 1.0, f64::NAN] {
+            let error = repeat(RepeatRequest { count: Some(count), ..asked() }).unwrap_err();
+            let words = crate::words::Words::english().text(&error.message);
+            assert!(words.contains("touches") && words.contains("from 2 to 500"), "{count}: {words}");
+        }
+        assert_eq!(refused(RepeatRequest { parameters: Some(-1.0), ..asked() }), "repeat-value");
         assert_eq!(refused(RepeatRequest { values: Some("1 two".into()), ..asked() }), "repeat-not-a-number");
         assert_eq!(refused(RepeatRequest { values: Some("1".into()), ..asked() }), "repeat-few");
         let nct = machine(&Setup::calibrated(Dialect::Nct, Plane::G17));

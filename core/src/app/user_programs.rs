@@ -4,7 +4,7 @@ use super::{Error, cycle};
 use crate::dialect::Dialect;
 use crate::entry::{Cycle, Typed};
 use crate::message::Message;
-use crate::program::user_programs::skeleton::{Branch, changed, lines, write};
+use crate::program::user_programs::skeleton::{Branch, END, calls_again, changed, leaves, lines, write};
 use crate::program::user_programs::{BEFORE, BEHIND, callers, label};
 use crate::refused::Path;
 use serde::{Deserialize, Serialize};
@@ -80,12 +80,11 @@ pub fn user_programs(asked: UserProgramsRequest) -> Result<UserProgramsView, Err
     if !branches.is_empty() {
         notes.push(Message::new(if variable.is_some() { "user-program-own" } else { "user-program-insert" }));
     }
-    for branch in &branches {
-        let written = changed(branch.cycle, &branch.before).into_iter();
-        for note in written.map(|name| Message::new("user-program-changes").text("name", name)) {
-            if !notes.contains(&note) {
-                notes.push(note);
-            }
+    let mut labels: Vec<String> = branches.iter().map(|branch| label(branch.cycle)).collect();
+    labels.extend(variable.map(|_| END.to_owned()));
+    for note in branches.iter().flat_map(|branch| doubts(branch, &labels)) {
+        if !notes.contains(&note) {
+            notes.push(note);
         }
     }
     let text = |user| if branches.is_empty() { String::new() } else { write(user, &branches, variable, &said) };
@@ -99,6 +98,14 @@ pub fn user_programs(asked: UserProgramsRequest) -> Result<UserProgramsView, Err
     })
 }
 
+/// What lines do that they should not: write parameters of their cycle, jump to where no label is.
+fn doubts(branch: &Branch, labels: &[String]) -> Vec<Message> {
+    let changed = changed(branch.cycle, &branch.before).into_iter();
+    let changes = changed.map(|name| Message::new("user-program-changes").text("name", name));
+    let left = [&branch.before, &branch.behind].into_iter().flat_map(|lines| leaves(lines, labels));
+    changes.chain(left.map(|name| Message::new("user-program-jump").text("name", name))).collect()
+}
+
 /// Stands in the words of a comment for the name of the cycle.
 pub const CYCLE: &str = "CYCLE";
 
@@ -107,8 +114,13 @@ fn branch(asked: &UserBranch) -> Result<Branch, Error> {
     if !cycle.is_measuring_cycle() {
         return Err(Error::new("user-program-cycle", Path::of(&["branches"])).text("name", cycle.name));
     }
+    let wrong = |key: &'static str| Error::new(key, Path::of(&["branches"]));
     let read = |text: &str| {
-        lines(text).map_err(|line| Error::new("user-program-line", Path::of(&["branches"])).text("line", line))
+        let lines = lines(text).map_err(|line| wrong("user-program-line").text("line", line))?;
+        match calls_again(&lines) {
+            Some(name) => Err(wrong("user-program-again").text("name", name)),
+            None => Ok(lines),
+        }
     };
     Ok(Branch { cycle, before: read(&asked.before)?, behind: read(&asked.behind)? })
 }
@@ -150,6 +162,17 @@ mod tests {
         // oracle: hand
         let refused = |request| user_programs(request).unwrap_err().message.key.to_string();
         assert_eq!(refused(asked("CYCLE977", "M17", None)), "user-program-line");
+        for again in ["CYCLE977", "CYCLE978", "CYCLE198"] {
+            assert_eq!(refused(asked("CYCLE977", again, None)), "user-program-again");
+        }
+        assert_eq!(refused(asked("CYCLE977", "DEF INT X", None)), "user-program-line");
+        let told = |before: &str, variable| {
+            let notes = user_programs(asked("CYCLE977", before, variable)).unwrap().notes.into_iter();
+            notes.map(|note| note.key.to_string()).collect::<Vec<_>>()
+        };
+        assert_eq!(told("GOTOF ABC", None), ["user-program-insert", "user-program-jump"]);
+        assert_eq!(told("GOTOF _MEND", Some("_OVI[2]")), ["user-program-own"]);
+        assert_eq!(told("_MVAR=2", None), ["user-program-insert", "user-program-changes"]);
         assert_eq!(refused(asked("CYCLE116", "M27", None)), "user-program-cycle");
         assert_eq!(refused(asked("CYCLE5", "M27", None)), "document-cycle");
         assert_eq!(refused(asked("CYCLE977", "M27", Some("1 OR"))), "user-program-variable");

@@ -81,11 +81,12 @@ impl Functions {
         (!known).then_some(calls)
     }
 
-    /// How a block begins that calls this macro: `G110`, `G120`, and where no function calls it, `G65 P9019`.
+    /// How a block begins that calls this macro: `G110`, `G120`, and where no function calls it, or one that calls
+    /// another macro first, `G65 P9019`.
     pub fn written(&self, cycle: &Cycle) -> String {
         let Some(index) = index(cycle) else { return cycle.name.to_owned() };
         match self.0.get(index) {
-            Some(code) if *code >= OWN => format!("G{code}"),
+            Some(code) if self.calling(*code).next() == Some(index) => format!("G{code}"),
             _ => format!("G65 P{}", PROGRAM + index as f64),
         }
     }
@@ -144,9 +145,29 @@ mod tests {
     }
 
     #[test]
+    fn what_is_written_calls_the_macro() {
+        // oracle: self (a block that begins so calls this macro and no other), whatever the parameters hold
+        for number in [0.0, 65.0, 101.0, 105.0, 109.0, 110.0, 120.0] {
+            for other in ["P9041", "P9045", "P9050"] {
+                let functions = machine(&[(other, number), ("P9046", 109.0)]);
+                for index in 0..MACROS {
+                    let cycle = named(index).unwrap();
+                    let written = functions.written(cycle);
+                    let called = match written.strip_prefix("G65 P") {
+                        Some(program) => by_program(program.parse().unwrap()),
+                        None => functions.cycle(written.strip_prefix('G').unwrap().parse().unwrap()),
+                    };
+                    assert_eq!(called.unwrap().name, cycle.name, "{other}={number}: {written}");
+                }
+            }
+        }
+    }
+
+    #[test]
     fn two_parameters_with_one_number_are_told() {
         // oracle: hand
         let functions = machine(&[("P9050", 109.0)]);
+        assert_eq!(functions.written(by_program(9019.0).unwrap()), "G65 P9019");
         let called = functions.called(109.0).unwrap();
         assert_eq!((called.cycle.name, called.also.as_deref()), ("G109", Some("P9050")));
     }

@@ -28,6 +28,8 @@ pub enum Test {
     AtLeast,
     /// Exactly the limit.
     Equal,
+    /// As large as the limit, or smaller.
+    AtMost,
     /// From 1 to the limit.
     UpTo,
     /// All bits of the limit are set.
@@ -126,6 +128,7 @@ pub const GUD_VALUES: &str = "MD18150";
 /// All of them, in the order of the manual.
 pub const NEEDS: &[Need] = &[
     need("MD18118", Test::AtLeast, "gud", &[cycles(Error, 7.0, "B:12920-12927;A:14192-14196;B:16182")]),
+    need("MD18118", Test::AtMost, "gud", &[cycles(Error, 9.0, "B:12920-12927;A:14192-14196")]),
     need(
         "MD18120",
         Test::AtLeast,
@@ -226,6 +229,7 @@ impl Test {
         let bits = value as u32;
         match self {
             Test::AtLeast => value >= limit,
+            Test::AtMost => value <= limit,
             Test::Equal => value == limit,
             Test::UpTo => (1.0..=limit).contains(&value),
             Test::Set => bits & limit as u32 == limit as u32,
@@ -238,7 +242,7 @@ impl Test {
         let bits = value as u32;
         match self {
             _ if self.holds(value, limit) => value,
-            Test::AtLeast | Test::Equal | Test::UpTo => limit,
+            Test::AtLeast | Test::AtMost | Test::Equal | Test::UpTo => limit,
             Test::Set => f64::from(bits | limit as u32),
             Test::Clear => f64::from(bits & !(limit as u32)),
         }

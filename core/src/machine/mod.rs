@@ -79,6 +79,8 @@ pub trait Machine {
     fn signal_stands(&self) -> bool;
     /// Writes a datum of tools or frames, lengths in mm. Where it is the length in use, the spindle nose stays.
     fn correct(&mut self, name: &str, value: f64);
+    /// Whether [`Machine::correct`] changes the data: some simulations of a control only measure (B:676-678).
+    fn corrects(&self) -> bool;
     /// Applies the length of another edge of the tool in use (NCT: another register), 0 none; the spindle nose stays.
     fn select(&mut self, edge: i64);
     /// Turns the spindle to this angle where it stands.
@@ -115,6 +117,9 @@ pub trait Machine {
     }
     /// Writes a datum of tools or frames as [`Machine::correct`] does, and records it; one that is not there is left.
     fn write_correction(&mut self, name: String, after: f64) {
+        if !self.corrects() {
+            return;
+        }
         if let Some(before) = self.control().variable(&name) {
             self.correct(&name, after);
             self.record(Step::Set { name, before, after });

@@ -364,10 +364,13 @@ impl Machine for Sim {
     }
 
     fn correct(&mut self, name: &str, value: f64) {
-        if !self.pretended.corrects && self.in_cycle {
-            return;
+        if self.corrects() {
+            self.with_length(|control| control.set_variable(name, value));
         }
-        self.with_length(|control| control.set_variable(name, value));
+    }
+
+    fn corrects(&self) -> bool {
+        self.pretended.corrects || !self.in_cycle
     }
 
     fn select(&mut self, edge: i64) {

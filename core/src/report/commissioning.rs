@@ -1,6 +1,7 @@
 //! The steps of commissioning and the connections of probes: their page in `docs/`, and what the terminal prints.
 
 use super::markdown::{line, table};
+use super::terms::plain;
 use crate::app::{
     CommissioningPath, CommissioningStep, CommissioningView, CompatibilityRow, CompatibilityView, ConnectionView,
     commissioning, compatibility_on,
@@ -24,7 +25,7 @@ pub fn page(words: &Words) -> String {
         }
     }
     let row = |one: ConnectionView| {
-        [format!("`{}`", one.signal), words.text(&one.title), words.text(&one.meaning), one.source.to_string()]
+        [quoted(one.signal), words.text(&one.title), words.text(&one.meaning), one.source.to_string()]
     };
     let title = words.key("report-connections");
     let columns = ["signal", "name", "meaning", "source"];
@@ -87,8 +88,29 @@ pub fn connection(name: &str, words: &Words) -> String {
     at.map(|(_, one)| card(&one, words)).collect()
 }
 
+/// The connections with this in their name, which has words that stand together. Empty: none has it.
+pub fn named(asked: &str, words: &Words) -> String {
+    let asked = plain(asked);
+    let spaced = |text: &str| format!(" {text} ");
+    let has = |one: &ConnectionView, words: &Words| {
+        let title = plain(&words.text(&one.title));
+        // words of Chinese stand without spaces
+        if asked.is_ascii() { spaced(&title).contains(&spaced(&asked)) } else { title.contains(&asked) }
+    };
+    let english = Words::english();
+    let found = commissioning().connections.into_iter();
+    let found = found.filter(|one| asked.len() > 2 && (has(one, words) || has(one, &english)));
+    found.map(|one| card(&one, words)).collect()
+}
+
 fn card(one: &ConnectionView, words: &Words) -> String {
-    format!("{} ({}): {} ({})\n", words.text(&one.title), one.signal, words.text(&one.meaning), one.source)
+    let at = if one.signal.is_empty() { String::new() } else { format!(" ({})", one.signal) };
+    format!("{}{at}: {} ({})\n", words.text(&one.title), words.text(&one.meaning), one.source)
+}
+
+/// A signal in a table; empty: there is none.
+fn quoted(signal: &str) -> String {
+    if signal.is_empty() { String::new() } else { format!("`{signal}`") }
 }
 
 /// The ways with their names, as the terminal prints them.
@@ -170,5 +192,24 @@ mod tests {
         let words = Words::of("en").unwrap();
         assert_eq!(connection("DBX107", &words).lines().count(), 2);
         assert_eq!(connection("X99", &words), "");
+    }
+
+    // oracle: hand (what somebody types who looks for it): each by its whole title, and by a word of it
+    #[test]
+    fn a_connection_is_explained_by_its_name() {
+        for language in ["en", "de", "zh"] {
+            let words = Words::of(language).unwrap();
+            for one in commissioning().connections {
+                let title = words.text(&one.title);
+                assert!(named(&title, &words).contains(&words.text(&one.meaning)), "{title}");
+                assert!(!card(&one, &words).contains("()"), "{title}");
+            }
+        }
+        for (language, asked) in [("en", "distributor"), ("en", "cable distributor"), ("de", "cable distributor")] {
+            let words = Words::of(language).unwrap();
+            assert_eq!(named(asked, &words).lines().count(), 3, "{asked}");
+        }
+        let words = Words::of("en").unwrap();
+        assert!(named("nobody", &words).is_empty() && named("", &words).is_empty());
     }
 }

@@ -4,6 +4,8 @@
 use crate::catalogue::newer::LISTS;
 use crate::catalogue::newer::arguments::Argument;
 use crate::catalogue::{CYCLES, r_parameters, subroutines};
+use crate::control::idle::idle;
+use crate::control::machine_data::MACHINE_DATA;
 use crate::control::setting_data;
 use crate::control::versions::{Versions, versions};
 use crate::entry::{Cycle, Variant};
@@ -61,8 +63,12 @@ pub fn datum(asked: &str, words: &Words) -> String {
             tell(meaning(field.name, field.key, words), cycle.name.to_owned());
         }
     }
-    for (name, source, mut lines) in machine::told(|name| means(asked, name), words) {
-        lines.extend(versions(name.split(' ').next().unwrap_or_default()).map(|found| version(found, words)));
+    // a machine datum has its elements by their numbers: what is told is the same of all
+    let array = asked.split('[').next().filter(|stem| machine_datum(stem)).unwrap_or(asked);
+    for (name, source, mut lines) in machine::told(|name| means(asked, name) || means(array, name), words) {
+        let datum = name.split(' ').next().unwrap_or_default();
+        lines.extend(versions(datum).map(|found| version(found, words)));
+        lines.extend(idle(datum).then(|| words.key("explain-idle")));
         let whose = if source.is_empty() { String::new() } else { Cited(source).to_string() };
         tell(format!("{name}: {}", lines.join("\n  ")), whose);
     }
@@ -187,6 +193,11 @@ fn meaning(name: &str, key: &str, words: &Words) -> String {
 }
 
 /// Whether somebody who asks for this means the datum: by its name, or by that of the array that it is in.
+/// Whether this is the number of a machine datum, `MD13200`.
+fn machine_datum(name: &str) -> bool {
+    MACHINE_DATA.iter().any(|datum| datum.number.eq_ignore_ascii_case(name))
+}
+
 fn means(asked: &str, name: &str) -> bool {
     let array = name.split('[').next().unwrap_or(name);
     name.eq_ignore_ascii_case(asked) || array.eq_ignore_ascii_case(asked)

@@ -246,6 +246,8 @@ impl Session {
 
     /// What came out so far; a run that was halted says so.
     pub fn outcome(self) -> Outcome {
+        let began = self.run.blocks > 0;
+        let over = self.ended.is_some();
         let stop = match self.ended {
             Some(ended) => ended.err().map(|halt| halt.stop),
             None => Some(Stop::Fault(Message::new("run-cancelled"))),
@@ -255,6 +257,8 @@ impl Session {
         of_machine::settle(&mut run);
         if stop.is_none() {
             logged::stays_on(&mut run);
+        }
+        if over && (began || stop.is_none()) {
             mode::ended(&mut run);
         }
         let machine_values = of_machine::all(&run);

@@ -127,7 +127,7 @@ pub fn feed(run: &Interpreter, programmed: f64) -> f64 {
     }
 }
 
-/// Tells that a search did not come to its block, and that an NCT control has no such mode.
+/// Tells, however the program ended, that a search did not come to its block, and that an NCT control has no such mode.
 pub fn ended(run: &mut Interpreter) {
     if run.program.dialect == Dialect::Nct && run.limits.mode != Mode::Automatic {
         let name = MODES.iter().find(|(mode, _)| *mode == run.limits.mode).map_or("", |(_, name)| *name);
@@ -135,7 +135,8 @@ pub fn ended(run: &mut Interpreter) {
         run.keep(problem.diagnostic(Severity::Warning));
     }
     if active(run) == Mode::BlockSearch {
-        let problem = Problem::at("run-search-missed", Span::default()).number("line", f64::from(run.limits.target));
+        let key = if run.limits.target == 0 { "run-search-target" } else { "run-search-missed" };
+        let problem = Problem::at(key, Span::default()).number("line", f64::from(run.limits.target));
         run.keep(problem.diagnostic(Severity::Warning));
     }
 }

@@ -60,6 +60,27 @@ fn a_block_search_skips_up_to_its_line() {
     assert_eq!((found, keys), ([0.0, 4.0, 0.0], [skipped, vec!["run-search-missed".to_owned()]].concat()));
 }
 
+// oracle: hand: what a program is told at its end, it is told where an alarm ends it
+#[test]
+fn a_program_that_stops_is_told_the_same() {
+    let keys = |dialect, text: &[u8], mode, target| {
+        let setup = Setup::calibrated(dialect, Plane::G17);
+        let outcome = run(&read(dialect, text), &setup, Limits { mode, target, ..Limits::default() });
+        outcome.diagnostics.iter().map(|one| one.message.key.to_string()).collect::<Vec<_>>()
+    };
+    for end in ["M30\n", "SETAL(65000)\nM30\n", "X=1/0\nM30\n", "GOTOF NOWHERE\n"] {
+        let text = format!("G0 Z300\n{end}");
+        let missed = keys(Dialect::Sinumerik, text.as_bytes(), Mode::BlockSearch, 999);
+        assert!(missed.contains(&"run-search-missed".to_owned()), "{end}: {missed:?}");
+        let none = keys(Dialect::Sinumerik, text.as_bytes(), Mode::BlockSearch, 0);
+        assert!(none.contains(&"run-search-target".to_owned()), "{end}: {none:?}");
+    }
+    for end in ["M30\n", "#3000=5\nM30\n", "GOTO 99\n"] {
+        let none = keys(Dialect::Nct, format!("G0 Z300\n{end}").as_bytes(), Mode::DryRun, 0);
+        assert!(none.contains(&"run-mode-none".to_owned()), "{end}: {none:?}");
+    }
+}
+
 // oracle: manual B:672-694, hand (touched from both sides 0.1 mm further in: 70 - 0.2 mm; an inch system gives inches)
 #[test]
 fn a_simulation_measures_with_its_deviation() {
@@ -76,6 +97,40 @@ fn a_simulation_measures_with_its_deviation() {
 #[test]
 fn jobshop_corrects_nothing() {
     assert_eq!(told(&ran(Mode::Jobshop, 0, &[])), ([70.0, 20.0, 0.0], vec!["run-jobshop".to_owned()]));
+}
+
+// oracle: manual B:676-678 (measured, but no offset is corrected): nothing says or records that one is
+#[test]
+fn jobshop_says_that_nothing_is_corrected() {
+    let tool = PROGRAM.replace("_MVAR=102 ", "_MVAR=2 _TNUM=9 _TUL=0.02 _TLL=-0.02 _TDIF=1 ");
+    let tool = tool.replace("_KNUM=1 ", "_KNUM=2001 "); // the radius of the tool
+    for (text, automatic) in [(PROGRAM, "evaluate-not-activated"), (&tool[..], "evaluate-corrects-whole")] {
+        let steps = |mode| {
+            let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
+            let shaft = Shape::Shaft { diameter: 70.1, height: 40.0 };
+            setup.workpiece.solids.push(Solid::new(shaft, Mcs([64.01, 38.0, 120.0])));
+            setup.position = Mcs([70.0, 200.0, 500.0]);
+            let outcome = run(&read(Dialect::Sinumerik, text.as_bytes()), &setup, Limits { mode, ..Limits::default() });
+            assert!(outcome.finished(), "{:?}", outcome.diagnostics);
+            outcome.trace.entries.iter().map(|entry| entry.step.clone()).collect::<Vec<_>>()
+        };
+        let said = |steps: &[Step]| {
+            let key = |step: &Step| match step {
+                Step::Decision { message } => Some(message.word("follows").unwrap_or(&message.key).to_owned()),
+                _ => None,
+            };
+            steps.iter().filter_map(key).collect::<Vec<_>>()
+        };
+        let sets = |steps: &[Step]| {
+            let of_offset = |name: &str| name.starts_with("$TC_") || name.starts_with("$P_");
+            steps.iter().filter(|step| matches!(step, Step::Set { name, .. } if of_offset(name))).count()
+        };
+        let (real, shown) = (steps(Mode::Automatic), steps(Mode::Jobshop));
+        assert!(said(&real).contains(&automatic.to_owned()), "{:?}", said(&real));
+        assert!(sets(&real) > 0 && sets(&shown) == 0, "{}", sets(&shown));
+        let corrects = |key: &String| key.starts_with("evaluate-corrects") && key != "evaluate-corrects-simulated";
+        assert!(!said(&shown).iter().any(|key| corrects(key) || key == automatic), "{:?}", said(&shown));
+    }
 }
 
 // oracle: hand (SD 42100 as delivered): a slow feed is raised, a faster one and rapid traverse stay

@@ -1,7 +1,8 @@
 //! The setup that a file describes, and the file that describes a setup.
 
 use super::{ActiveFile, EdgeFile, MachineFile, SetupFile, SolidFile, ToolFile, ToolProbeFile};
-use crate::control::{Control, Definitions, Edge, Frame, Limits, Tool, delivery_in};
+use crate::control::{Control, Definitions, Edge, Frame, Limits, Tool, Value, delivery_in, nct_data};
+use crate::dialect::Dialect;
 use crate::geometry::Mcs;
 use crate::machine::{Clock, Setup};
 use crate::message::printable;
@@ -41,6 +42,7 @@ pub fn setup(file: SetupFile) -> Result<Setup, Refused> {
     for (name, value) in file.data {
         control.data.insert(name, value);
     }
+    of_nct(&control)?;
     control.take_setting_data();
     activate(&mut control, &file.active)?;
     let setup = Setup {
@@ -60,6 +62,20 @@ pub fn setup(file: SetupFile) -> Result<Setup, Refused> {
     setup.possible()?;
     known(&setup)?;
     Ok(setup)
+}
+
+/// Refuses a parameter of an NCT machine that cannot be. The variables are not asked: programs write them.
+fn of_nct(control: &Control) -> Result<(), Refused> {
+    let parameters = nct_data::all().filter(|datum| !datum.name.starts_with('#'));
+    for datum in parameters.filter(|_| control.dialect == Dialect::Nct) {
+        let range = &datum.element.range;
+        let Some(Value::Number(number)) = control.data.get(datum.name) else { continue };
+        if !range.contains(*number) || number.fract() != 0.0 {
+            let refused = Refused::new("setup-datum-range", Path::of(&["data", datum.name])).number("value", *number);
+            return Err(refused.number("min", range.min).number("max", range.max));
+        }
+    }
+    Ok(())
 }
 
 /// What the lines of definition files add to a control.

@@ -42,7 +42,8 @@ fn said(message: &Message) -> Said {
     match message.word("follows").unwrap_or(&message.key) {
         "evaluate-corrects-whole" | "evaluate-corrects-both" | "evaluate-corrects-mean" => Said::Corrected,
         "evaluate-tool-geometry" | "evaluate-tool-wear" => Said::Corrected,
-        "evaluate-corrects-nothing" | "evaluate-corrects-zero" => Said::Nothing,
+        "evaluate-corrects-nothing" | "evaluate-corrects-zero" | "evaluate-corrects-simulated" => Said::Nothing,
+        "evaluate-tool-simulated" => Said::Nothing,
         "evaluate-safe-area" | "evaluate-safe-area-angle" | "evaluate-difference" | "evaluate-small" => Said::Nothing,
         "evaluate-tool-safe-area" | "evaluate-tool-difference" | "evaluate-tool-small" => Said::Nothing,
         "evaluate-activated" | "evaluate-not-activated" => Said::FrameCorrected,

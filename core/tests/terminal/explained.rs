@@ -144,7 +144,28 @@ fn braking_tells_path_and_feed() {
     assert!(told.contains("12.6\u{a0}mm: 1.6\u{a0}mm until") && told.contains("1372.4\u{a0}mm/min"), "{told}");
     let view: serde_json::Value = serde_json::from_str(&out(&asked(&["--feed", "6000", "--json"]))).unwrap();
     assert!((view["path"]["sum"].as_f64().unwrap() - 12.6).abs() < 1e-9 && view["feed"].is_null());
-    assert_eq!(asked(&["--feed=-1"]).status.code(), Some(2));
+    for wrong in ["--feed=-1", "--deflection=-2", "--deflection=0"] {
+        assert_eq!(asked(&[wrong]).status.code(), Some(2), "{wrong}");
+    }
+    let export = file("axis.ini", b"MD18118=7\nMD32300[X1]=-1\nMD32200[X1]=0\n");
+    for wrong in ["--deflection=-2", "--deflection=0"] {
+        assert_eq!(probewright(&["machine", &export, wrong]).status.code(), Some(2), "{wrong}");
+    }
+    let told = out(&probewright(&["machine", &export, "--deflection", "2"]));
+    assert!(told.contains("warning: MD32300[X1]") && told.contains("warning: MD32200[X1]"), "{told}");
+}
+
+// oracle: hand (what somebody types), manual B:12697
+#[test]
+fn connections_and_idle_data_are_explained() {
+    let told = |name: &str| out(&probewright(&["explain", name]));
+    for name in ["distributor", "cable distributor", "Cable distributor on 810D, 840D powerline, 840Di"] {
+        assert!(told(name).contains("X11"), "{name}");
+    }
+    assert!(told("NCT: stylus").starts_with("NCT: stylus: "), "{}", told("NCT: stylus"));
+    for name in ["MD13200", "MD13200[0]", "MD18116"] {
+        assert!(told(name).contains("No effect in the simulation"), "{name}: {}", told(name));
+    }
 }
 
 // oracle: manual A:16452, A:16479 (R19 is printed beside _ID and _SZA), A:16018-16041

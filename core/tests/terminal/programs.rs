@@ -545,6 +545,36 @@ fn read_and_write_follow_the_functions_of_the_machine() {
     assert!(err(&refused).contains("CYCLE977"), "{}", err(&refused));
 }
 
+// oracle: manual C:58 (a number calls one macro; parameters are whole numbers up to 999)
+#[test]
+fn a_number_that_two_macros_have_is_not_written_for_the_second() {
+    let machine = |number: &str| {
+        let probe = r#""probe": { "radius": 3, "length": 50 }"#;
+        let text = format!(r#"{{ "control": "nct", "data": {{ "P9050": {number} }}, {probe} }}"#);
+        file(&format!("function{number}.json"), text.as_bytes())
+    };
+    let write = |number: &str| probewright(&["write", "G110", "D=40", "S=1", "--setup", &machine(number)]);
+    let written = out(&write("109"));
+    assert!(written.contains("G65 P9019 ") && !written.contains("G109"), "{written}");
+    for wrong in ["-3", "120.5", "1000"] {
+        let refused = write(wrong);
+        assert_eq!(refused.status.code(), Some(2), "{wrong}");
+        assert!(err(&refused).contains("P9050") && err(&refused).contains("999"), "{}", err(&refused));
+    }
+}
+
+// oracle: hand (a search ends somewhere)
+#[test]
+fn a_block_search_asks_for_its_target() {
+    let path = file("search.mpf", b"G0 X1\nM30\n");
+    for wrong in [&["--mode", "block-search"][..], &["--mode", "block-search", "--target", "0"]] {
+        let refused = probewright(&[&["run", &path], wrong].concat());
+        assert_eq!(refused.status.code(), Some(2), "{wrong:?}");
+        assert!(err(&refused).contains("--target"), "{}", err(&refused));
+    }
+    assert_eq!(probewright(&["run", &path, "--target", "2"]).status.code(), Some(0));
+}
+
 // oracle: manual C:1157 (2 levels of macros below G110)
 #[test]
 fn check_counts_the_levels_of_macros() {

@@ -20,6 +20,9 @@ export interface BrakingCard {
   take(axis: MachineAxis | null): void;
 }
 
+/** Whether an axis or a probe can have this value. */
+const possible = (name: Name, value: number): boolean => value > 0 || (name === "delay" && value === 0);
+
 /** What is told; a feed is rounded down. */
 function outcome({ path, feed }: BrakingView): string[] {
   const round = (value: number): number => Number(value.toFixed(4));
@@ -37,7 +40,7 @@ function outcome({ path, feed }: BrakingView): string[] {
 
 /** `changed`: the deflection is another. */
 export function createBraking(core: () => ProgramCore | null, changed: () => void): BrakingCard {
-  const told = el("div", { class: "braking-told", "aria-live": "polite" });
+  const card = el("div", { class: "braking-told", "aria-live": "polite" });
   const entries = Object.fromEntries(
     FIELDS.map(name => [name, el("input", { type: "text", id: `braking-${name}`, inputmode: "decimal" })]),
   ) as Record<Name, HTMLInputElement>;
@@ -50,11 +53,20 @@ export function createBraking(core: () => ProgramCore | null, changed: () => voi
     el("summary", {}, t("exported-braking")),
     guideButton("braking"),
     el("div", { class: "braking-fields" }, ...fields),
-    told,
+    card,
   );
   let axis: MachineAxis | null = null;
 
-  const typed = (name: Name): number | null => parseNumber(entries[name].value);
+  const typed = (name: Name): number | null => {
+    const value = parseNumber(entries[name].value);
+    return value !== null && possible(name, value) ? value : null;
+  };
+  /** Marks what was typed and cannot be; whether there is such a field is told. */
+  const wrong = (): Name[] => {
+    const names = FIELDS.filter(name => entries[name].value.trim() !== "" && typed(name) === null);
+    for (const name of FIELDS) entries[name].setAttribute("aria-invalid", String(names.includes(name)));
+    return names;
+  };
   const draw = (): void => {
     const of = (name: keyof MachineAxis): number | null => typed(name) ?? axis?.[name] ?? null;
     const [delay, acceleration, gain] = [of("delay"), of("acceleration"), of("gain")];
@@ -67,9 +79,11 @@ export function createBraking(core: () => ProgramCore | null, changed: () => voi
       ...(feed === null ? {} : { feed }),
       ...(deflection === null ? {} : { deflection }),
     });
-    const answer = whole ? core()?.braking(asked()) : null;
-    const lines = answer ? ("why" in answer ? [sayProblem(answer.why)] : outcome(answer)) : [];
-    render(lines.length ? lines.map(line => html`<p>${line}</p>`) : nothing, told);
+    const refused = wrong().map(name => t("braking-value", { name, value: entries[name].value.trim() }));
+    const answer = whole && !refused.length ? core()?.braking(asked()) : null;
+    const told = answer ? ("why" in answer ? [sayProblem(answer.why)] : outcome(answer)) : [];
+    const lines = [...refused, ...told];
+    render(lines.length ? lines.map(line => html`<p>${line}</p>`) : nothing, card);
   };
   for (const name of FIELDS)
     on(entries[name], "input", () => {

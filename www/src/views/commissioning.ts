@@ -54,7 +54,7 @@ function list({ steps }: CommissioningPath, done: Record<string, boolean>, turn:
 function cards(connections: ConnectionView[]): TemplateResult {
   const card = ({ signal, title, meaning, source }: ConnectionView): TemplateResult =>
     html`<div class="term" id=${title.key} tabindex="-1">
-      <dt>${say(title)} <code>${signal}</code></dt>
+      <dt>${say(title)} ${signal ? html`<code>${signal}</code>` : nothing}</dt>
       <dd>
         <p>${say(meaning)}</p>
         <small>${t("field-source", { source })}</small>

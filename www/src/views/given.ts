@@ -84,7 +84,14 @@ export function createGiven(
         mode === "block-search"
           ? html`<div class="given-field">
               <label for="run-target">${t("given-target")}</label
-              ><input id="run-target" type="number" min="0" .value=${live(String(target))} @change=${line} />
+              ><input
+                id="run-target"
+                type="number"
+                min="1"
+                aria-invalid=${target > 0 ? nothing : "true"}
+                .value=${live(target > 0 ? String(target) : "")}
+                @change=${line}
+              />
             </div>`
           : nothing
       }

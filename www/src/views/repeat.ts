@@ -9,7 +9,7 @@ import { el, on } from "../dom";
 import { guideButton } from "../guide";
 import { parseNumber, plain } from "../numbers";
 import { saveFile } from "../state/files";
-import { say, sayProblem, t } from "../texts";
+import { refusal, say, sayProblem, t } from "../texts";
 import type { Message, OwnMachine, RepeatRequest, RepeatView, Setup } from "../wire";
 import { passingDialog, showPassing } from "./passing";
 
@@ -120,7 +120,12 @@ export function openRepeat(core: ProgramCore, setup: Setup | OwnMachine | undefi
     if (setup) request.setup = setup;
     return request;
   };
-  const unread = (): string | undefined =>
+  const fields = { ...numbers, axis, input, values };
+  /** Marks the field that is refused. */
+  const mark = (wrong: unknown): void => {
+    for (const [name, field] of Object.entries(fields)) field.setAttribute("aria-invalid", String(name === wrong));
+  };
+  const unread = (): (typeof NUMBERS)[number] | undefined =>
     NUMBERS.find(name => numbers[name].value.trim() && parseNumber(numbers[name].value) === null);
   const draw = (): void => {
     const wrong = unread();
@@ -130,11 +135,9 @@ export function openRepeat(core: ProgramCore, setup: Setup | OwnMachine | undefi
     const words = first && !("why" in first) ? Object.fromEntries(first.says.map(key => [key, t(key)])) : null;
     const answer = words ? core.repeat({ ...request, words }) : first;
     view = answer && !("why" in answer) ? answer : null;
-    problem.textContent = wrong
-      ? t("repeat-value", { name: t(`repeat-${wrong}`) })
-      : answer && "why" in answer
-        ? sayProblem(answer.why)
-        : "";
+    const why = answer && "why" in answer ? answer.why : "";
+    problem.textContent = wrong ? t("repeat-not-a-number", { value: numbers[wrong].value.trim() }) : sayProblem(why);
+    mark(wrong ?? refusal(why)?.args.path);
     for (const { button } of saving) button.disabled = !view;
     render(view ? outcome(view) : nothing, told);
   };

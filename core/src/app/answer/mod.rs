@@ -212,10 +212,11 @@ fn words(verdict: Verdict, alarm: Option<Code>) -> Message {
 }
 
 /// Decisions that say what a difference means.
-const CHAIN: [&str; 14] = [
+const CHAIN: [&str; 15] = [
     "evaluate-safe-area", "evaluate-safe-area-angle", "evaluate-difference", "evaluate-oversize", "evaluate-undersize",
     "evaluate-whole", "evaluate-mean", "evaluate-small", "evaluate-tool-safe-area", "evaluate-tool-difference",
-    "evaluate-tool-small", "evaluate-tool-geometry", "evaluate-tool-wear", "decision-nct-no-update",
+    "evaluate-tool-small", "evaluate-tool-geometry", "evaluate-tool-wear", "evaluate-tool-simulated",
+    "decision-nct-no-update",
 ];
 
 /// Why: what the cycle decided, else what stopped it, else what the limits say.

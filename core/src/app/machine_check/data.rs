@@ -71,6 +71,7 @@ fn fault(
         severity: limit.severity,
         value: match need.test {
             Test::UpTo => format!("1..{}", limit.value),
+            Test::AtMost => format!("≤ {}", limit.value),
             Test::Clear => format!("{} = 0", written(name, limit.value)),
             _ => written(name, limit.value),
         },
@@ -97,6 +98,7 @@ fn said(test: Test, value: f64, limit: f64) -> Message {
     let (have, want) = (value as u32, limit as u32);
     let (key, bits) = match test {
         Test::AtLeast => ("machine-check-low", 0),
+        Test::AtMost => ("machine-check-high", 0),
         Test::Equal => ("machine-check-not", 0),
         Test::UpTo => ("machine-check-between", 0),
         Test::Set => ("machine-check-bits-missing", want & !have),

@@ -156,7 +156,7 @@ impl MachineFault {
     }
 }
 
-/// Lines that cannot be read, and data that are given twice.
+/// Lines that cannot be read, data with the number of another, and data that are given twice.
 pub fn odd(given: &Exported, files: &Files) -> Vec<MachineFault> {
     let fault = |severity, key: &'static str, odd: &Odd| {
         let source = gud::place(&odd.name).and_then(|(gud, at)| gud.element(&at)).map(|element| element.source);
@@ -165,7 +165,11 @@ pub fn odd(given: &Exported, files: &Files) -> Vec<MachineFault> {
         MachineFault::new(severity, &odd.name, message, source).channel(odd.channel).at(Some(files.told(odd.place)))
     };
     let unread = given.unread.iter().map(|odd| fault(Severity::Error, "machine-check-unread", odd));
-    unread.chain(given.twice.iter().map(|odd| fault(Severity::Warning, "machine-check-twice", odd))).collect()
+    let unlike = given.unlike.iter().map(|odd| fault(Severity::Warning, "machine-check-unlike", odd));
+    unread
+        .chain(unlike)
+        .chain(given.twice.iter().map(|odd| fault(Severity::Warning, "machine-check-twice", odd)))
+        .collect()
 }
 
 fn delivered(datum: &MachineDatum) -> Vec<String> {

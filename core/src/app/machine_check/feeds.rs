@@ -1,7 +1,7 @@
 //! Feeds of the data against the deflection that the probe allows.
 
 use super::fault::{Files, MachineFault, identified};
-use super::read::{Exported, shown};
+use super::read::{Exported, Given, shown};
 use crate::control::braking::{self, Braking};
 use crate::control::needs::Use;
 use crate::control::{Value, arrays, gud};
@@ -39,7 +39,7 @@ pub fn axis(given: &Exported) -> Option<MachineAxis> {
         let all = given.data.iter().filter(|((name, _), _)| arrays::stem(name) == number);
         let numbers =
             all.filter_map(|(_, given)| if let Value::Number(value) = given.value { Some(value) } else { None });
-        numbers.min_by(f64::total_cmp)
+        numbers.min_by(f64::total_cmp).filter(|lowest| *lowest > 0.0)
     };
     let [clock, ratio, acceleration, gain] = braking::DATA.map(lowest);
     let axis = MachineAxis { delay: clock? * ratio?, acceleration: acceleration?, gain: gain? };
@@ -54,6 +54,19 @@ fn of_axis(axis: MachineAxis) -> Braking {
 pub fn missing(given: &Exported) -> Vec<String> {
     let there = |number: &str| given.data.keys().any(|(name, _)| arrays::stem(name) == number);
     braking::DATA.into_iter().filter(|number| !there(number)).map(identified).collect()
+}
+
+/// Data of axes that no axis has: no braking path follows from them.
+pub fn impossible(given: &Exported, files: &Files) -> Vec<MachineFault> {
+    let of_axis = |name: &str| braking::DATA.contains(&arrays::stem(name));
+    let fault = |((name, channel), datum): (&(String, u32), &Given)| {
+        let Value::Number(value) = datum.value else { return None };
+        let message = Message::new("machine-check-positive").number("value", value);
+        let fault = MachineFault::new(Severity::Warning, name, message, "B:1149-1161;A:1095-1115");
+        let fault = fault.channel(*channel).value(shown(&datum.value)).at(Some(files.told(datum.place)));
+        (of_axis(name) && value <= 0.0).then_some(fault)
+    };
+    given.data.iter().filter_map(fault).collect()
 }
 
 /// Feeds whose braking path is longer than the deflection, mm.

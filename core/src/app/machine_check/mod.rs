@@ -69,8 +69,11 @@ pub struct MachineCheckView {
 /// Checks a machine by what its control exported.
 ///
 /// # Errors
-/// Nothing of what was given is a datum that measuring needs.
+/// Nothing of what was given is a datum that measuring needs, or no probe allows such a deflection.
 pub fn machine_check(asked: MachineCheckRequest) -> Result<MachineCheckView, Error> {
+    if let Some(wrong) = asked.deflection.filter(|deflection| !(deflection.is_finite() && *deflection > 0.0)) {
+        return Err(super::braking::refused("deflection", wrong));
+    }
     let mut given = Exported::default();
     for (file, one) in asked.files.iter().enumerate() {
         given.add(file, &one.text);
@@ -82,7 +85,8 @@ pub fn machine_check(asked: MachineCheckRequest) -> Result<MachineCheckView, Err
     let mut faults = fault::odd(&given, &files);
     faults.extend(data::faults(&given, &files, &asked.without, asked.large));
     faults.extend(user::faults(&given, &files, &asked.without));
-    let deflection = asked.deflection.filter(|deflection| *deflection > 0.0);
+    faults.extend(feeds::impossible(&given, &files));
+    let deflection = asked.deflection;
     faults.extend(deflection.iter().flat_map(|most| feeds::faults(&given, &files, &asked.without, *most)));
     faults.sort_by_key(|fault| fault.severity); // stable: within a severity the order of the manual
     let count = |severity| faults.iter().filter(|fault| fault.severity == severity).count() as f64;

@@ -66,6 +66,8 @@ pub struct Exported {
     pub twice: Vec<Odd>,
     /// Data whose value cannot be read.
     pub unread: Vec<Odd>,
+    /// Data whose number in front is that of another datum.
+    pub unlike: Vec<Odd>,
     /// Assignments of which no check knows the datum.
     pub others: usize,
 }
@@ -152,15 +154,22 @@ impl Line<'_> {
             return;
         }
         let number = self.number.take();
-        let Some(datum) = known(word, number.as_deref().and_then(|number| number.get(1..)), index) else {
+        let digits = number.as_deref().and_then(|number| number.get(1..));
+        let Some(datum) = known(word, digits, index) else {
             self.to.others += 1;
             self.scan.value();
             return;
         };
-        match self.scan.values() {
+        if let Some(digits) = digits.filter(|digits| is_of_another(&datum.name, digits)) {
+            let texts = [digits.to_owned(), String::new()];
+            self.to.unlike.push(Odd { name: datum.name.clone(), channel: *self.channel, place: self.place, texts });
+        }
+        let before = self.scan;
+        let values = self.scan.values();
+        match values.filter(|values| !self.scan.goes_on() && values.iter().flatten().all(possible)) {
             Some(values) => self.fill(&datum, &values, false),
             None => {
-                let texts = [self.scan.rest().to_owned(), String::new()];
+                let texts = [before.rest().to_owned(), String::new()];
                 let odd = Odd { name: datum.name, channel: *self.channel, place: self.place, texts };
                 self.to.unread.push(odd);
             }
@@ -226,6 +235,17 @@ impl Line<'_> {
         }
         self.to.data.insert(key, given);
     }
+}
+
+/// Whether a control can hold a value: its largest numbers are those of a mask of 32 bits.
+fn possible(value: &Value) -> bool {
+    !matches!(value, Value::Number(number) if number.abs() > f64::from(u32::MAX))
+}
+
+/// Whether a number of a block is that of another machine datum than the one that is named: the control reads the name.
+fn is_of_another(name: &str, digits: &str) -> bool {
+    let of = |digits: &str| MACHINE_DATA.iter().find(|datum| datum.number.get(2..) == Some(digits));
+    of(digits).is_some_and(|datum| datum.number != arrays::stem(name) && name.starts_with("MD"))
 }
 
 /// A value as it is shown.
@@ -326,6 +346,15 @@ mod tests {
         assert_eq!(number("N13200 $MN_MEAS_PROBE_LOW_ACTIVE[1]=TRUE", "MD13200[1]"), Some(1.0));
         assert_eq!(number("N32300 $MA_MAX_AX_ACCEL[X1]=1.5", "MD32300[X1]"), Some(1.5));
         assert_eq!(read("MD18118=seven").unread.len(), 1);
+        for text in ["MD 18120 = 12,5", "MD18120=99999999999999999999", "MD18150=1e99", "_SPEED[1]=12,5"] {
+            let read = read(text);
+            assert_eq!((read.unread.len(), read.data.len()), (1, 0), "{text}");
+        }
+        let several = read("MD18120=30,18130=100, MD18118=7\nMD20110='HFFFFFFFF'");
+        assert_eq!((several.unread.len(), several.data.len()), (0, 4));
+        let unlike = |text: &str| read(text).unlike.into_iter().map(|odd| odd.name).collect::<Vec<_>>();
+        assert_eq!(unlike("N18130 $MN_MM_NUM_GUD_NAMES_NCK=15"), ["MD18120"]);
+        assert_eq!(unlike("N18120 $MN_MM_NUM_GUD_NAMES_NCK=15\nN10 $MN_MM_NUM_GUD_NAMES_NCK=15"), [""; 0]);
         assert_eq!(read("N10000 $MN_AXCONF_MACHAX_NAME_TAB[0]=\"X1\"").others, 1);
     }
 

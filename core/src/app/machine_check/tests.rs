@@ -50,6 +50,30 @@ fn two_figures_of_the_manual_are_two_limits_with_both_places() {
     assert_eq!(told(&machine_check(large).unwrap()), [("MD28040", Warning, "")]);
 }
 
+// oracle: manual B:12920-12927 (7 are needed, 9 there can be), B:1149-1161 (the path follows from them), hand
+#[test]
+fn what_no_control_has_is_told() {
+    for (text, faults) in [
+        ("MD18118=7\nMD32300[X1]=1", 0),
+        ("MD18118=12", 1),
+        ("MD18118=6", 1),
+        ("N18130 $MN_MM_NUM_GUD_NAMES_NCK=30", 1),
+        ("MD18120=99999999999999999999", 1),
+        ("MD 18120 = 32,5", 1),
+        ("MD32300[X1]=-1\nMD32200[X1]=0", 2),
+        ("MD32300[X1]=0\nMD32200[X1]=-1\nMD10050=0\nMD10070=-1", 4),
+    ] {
+        assert_eq!(check(text).faults.len(), faults, "{text}: {:?}", check(text).faults);
+    }
+    let axis = "MD10050=0.004\nMD10070=3\nMD32200[X1]=1\nMD32300[X1]=";
+    assert!(check(&format!("{axis}1")).axis.is_some());
+    assert!(check(&format!("{axis}0")).axis.is_none());
+    for wrong in [0.0, -2.0, f64::NAN] {
+        let asked = MachineCheckRequest { deflection: Some(wrong), ..asked(axis) };
+        assert_eq!(machine_check(asked).unwrap_err().message.key, "braking-value");
+    }
+}
+
 // oracle: manual B:12971-12974 (7 KB, 4 KB a channel, 0.5 KB a channel with JOG; the sum of the example is 16)
 #[test]
 fn memory_is_needed_by_the_control_and_by_each_channel() {
@@ -191,7 +215,7 @@ fn feeds_beyond_the_deflection_are_told_and_mended() {
 fn missing(need: &Need) -> f64 {
     match need.test {
         Test::AtLeast | Test::UpTo | Test::Set => 0.0,
-        Test::Equal => need.limits[0].value + 1.0,
+        Test::AtMost | Test::Equal => need.limits[0].value + 1.0,
         Test::Clear => need.limits[0].value,
     }
 }

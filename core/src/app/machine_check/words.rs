@@ -109,6 +109,12 @@ impl<'a> Scan<'a> {
         }
     }
 
+    /// Whether a value goes on behind a comma, `12,5`: that is no number of a control, and no next datum either.
+    pub fn goes_on(&self) -> bool {
+        let rest = self.rest.strip_prefix(',').filter(|rest| rest.starts_with(|c: char| c.is_ascii_digit()));
+        rest.is_some_and(|rest| matches!(Scan::new(rest).token(), Token::Number(_)))
+    }
+
     /// The next value, or as many as stand in brackets: one that is left out is none.
     pub fn values(&mut self) -> Option<Vec<Option<Value>>> {
         let begin = *self;

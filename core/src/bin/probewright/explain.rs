@@ -6,7 +6,7 @@ use probewright_core::catalogue::CYCLES;
 use probewright_core::entry::Cycle;
 use probewright_core::jog::masks;
 use probewright_core::message::Message;
-use probewright_core::report::commissioning::connection;
+use probewright_core::report::commissioning::{connection, named};
 use probewright_core::report::explain::{arguments, cycle, datum, list, older, setting_datum, variant};
 use probewright_core::report::findings::finding;
 use probewright_core::report::foreign;
@@ -41,7 +41,7 @@ pub fn explain(name: &str, number: Option<i64>, words: &Words, out: &mut dyn Wri
                 + &guides::explained(name, words)
         }
     };
-    let text = if text.is_empty() { guides::found(name, words) } else { text };
+    let text = if text.is_empty() { guides::found(name, words) + &named(name, words) } else { text };
     if text.is_empty() {
         return alarms::alarms(Some(name), false, words, out)
             .map_err(|_| wrong(Message::new("terminal-name").text("name", name)));

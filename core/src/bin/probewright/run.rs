@@ -51,7 +51,8 @@ pub struct Arguments {
     strict: bool,
     #[arg(long, value_name = "MODE", value_parser = MODES.map(|(_, name)| name))]
     mode: Option<String>,
-    #[arg(long, value_name = "LINE")]
+    #[arg(long, value_name = "LINE", value_parser = clap::value_parser!(u32).range(1..),
+        required_if_eq("mode", "block-search"))]
     target: Option<u32>,
     #[arg(long)]
     screens: bool,

@@ -61,14 +61,17 @@ pub fn apply(machine: &mut dyn Machine, target: &zero_offset::Target, writes: &[
         let settable = machine.control().settable;
         machine.control().activate(settable);
     }
-    if !writes.is_empty() {
+    if !writes.is_empty() && machine.corrects() {
         let key = if target.activate { "evaluate-activated" } else { "evaluate-not-activated" };
         machine.record(Step::Decision { message: Message::new(key) });
     }
 }
 
-/// Writes and records.
+/// Writes and records, where the machine corrects.
 pub fn write(machine: &mut dyn Machine, writes: &[Write]) {
+    if !machine.corrects() {
+        return;
+    }
     for Write { name, value } in writes {
         let before = machine.control().variable(name).unwrap_or(0.0);
         machine.correct(name, *value);

@@ -74,7 +74,8 @@ pub fn decide(
     let differences: Vec<f64> = sizes.differences.iter().map(|difference| difference - offset).collect();
     let decision = chain(&differences, &bands(inputs), old);
     report(machine, inputs, target, &decision);
-    machine.record(Step::Decision { message: explain(&decision, &differences, target) });
+    let message = explain(machine, &decision, &differences, target);
+    machine.record(Step::Decision { message });
     let announced = match decision.branch {
         Branch::SafeArea => Some(62303),
         Branch::Difference => Some(62306),
@@ -169,13 +170,14 @@ pub fn inform(machine: &mut dyn Machine, alarm: Option<u32>) {
 }
 
 /// The decision in words. Its difference is the one that decided: the worst, for the mean value the mean of all.
-fn explain(decision: &Decision, differences: &[f64], target: Option<&Tool>) -> Message {
+fn explain(machine: &dyn Machine, decision: &Decision, differences: &[f64], target: Option<&Tool>) -> Message {
     let difference = match decision.branch {
         Branch::Mean | Branch::Small => differences.iter().sum::<f64>() / differences.len().max(1) as f64,
         _ => differences.iter().copied().fold(0.0_f64, |a, b| if b.abs() > a.abs() { b } else { a }),
     };
     let message = Message::new(decision.branch.key()).number("difference", difference).number("mean", decision.mean);
     match decision.branch.corrects() {
+        true if target.is_some() && !machine.corrects() => message.text("follows", "evaluate-corrects-simulated"),
         true => message.text("follows", corrected(decision, differences.len(), target)),
         false => message,
     }

@@ -78,6 +78,7 @@ fn decide(
         (true, ..) => ("evaluate-tool-safe-area", names::TSA, Some(62303)),
         (_, true, ..) => ("evaluate-tool-difference", names::TDIF, Some(62306)),
         (_, _, false, _) => ("evaluate-tool-small", names::TZL, None),
+        _ if !machine.corrects() => ("evaluate-tool-simulated", names::TZL, None),
         (.., true) => ("evaluate-tool-wear", names::TZL, None),
         _ => ("evaluate-tool-geometry", names::TZL, None),
     };

@@ -24,6 +24,7 @@ pub fn look(program: &Program, programs: &Programs, sites: &[CallSite], found: &
     for (at, unit) in programs.units.iter().enumerate() {
         let called = calls.iter().flatten().any(|other| *other == at);
         let mut place = if called { Active::elsewhere() } else { Active::default() };
+        place.whole = is_whole(program, unit);
         let mut one = Unitary { program, programs, quiet: &quiet, switches, found };
         for line in unit.blocks.clone() {
             let Some(block) = program.blocks.get(line) else { break };
@@ -45,8 +46,8 @@ struct Active {
     stylus: Mode<bool>,
     /// Place of the M59.
     switched: Option<Span>,
-    /// A tool was called: the text is more than a piece of a program.
-    tool: bool,
+    /// The text is more than a piece of a program: what it does not say is not done.
+    whole: bool,
 }
 
 impl Active {
@@ -83,6 +84,16 @@ fn words<'a>(program: &'a Program, blocks: &'a [Block]) -> impl Iterator<Item = 
     })
 }
 
+/// Whether a program is one from its beginning on: it has a number, or the end of a main program. One that ends as a
+/// subprogram may be called from another file, and a text that calls a tool is taken for a whole program there.
+fn is_whole(program: &Program, unit: &Unit) -> bool {
+    let ends = |wanted: &[i64]| {
+        let mut all = words(program, program.blocks_of(unit));
+        all.any(|(_, said)| matches!(said, Said::Machine(number) if wanted.contains(&number)))
+    };
+    ends(&[2, 30]) || unit.file.is_some() && !ends(&[99])
+}
+
 /// Whether a program neither switches nor turns anything, nor calls another one.
 fn is_quiet(program: &Program, unit: &Unit) -> bool {
     let blocks = program.blocks.get(unit.blocks.clone()).unwrap_or_default();
@@ -102,7 +113,7 @@ struct Unitary<'a> {
 
 impl Unitary<'_> {
     fn block(&mut self, place: &mut Active, block: &Block) {
-        let elsewhere = |place: &Active| Active { tool: place.tool, ..Active::elsewhere() };
+        let elsewhere = |place: &Active| Active { whole: place.whole, ..Active::elsewhere() };
         for (span, said) in words(self.program, std::slice::from_ref(block)) {
             match said {
                 Said::Machine(19) => place.oriented = Mode::Is(true),
@@ -112,7 +123,7 @@ impl Unitary<'_> {
                 }
                 Said::Machine(55) => place.stylus = Mode::Is(false),
                 Said::Machine(3 | 4) => self.started(place, span),
-                Said::Tool => place.tool = true,
+                Said::Tool => place.whole = true,
                 Said::Calls if self.may_change(block) => *place = elsewhere(place),
                 // behind a jump the text goes on from somewhere else, unless it has a condition
                 Said::Leaves if !self.is_conditional(block) => *place = elsewhere(place),
@@ -143,14 +154,14 @@ impl Unitary<'_> {
     }
 
     fn call(&mut self, place: &mut Active, site: &CallSite) {
-        if site.cycle.purpose.probe != ProbeUse::Workpiece || !place.tool {
+        if site.cycle.purpose.probe != ProbeUse::Workpiece {
             return;
         }
-        if place.oriented.unset() || place.oriented == Mode::Is(false) {
+        if place.oriented == Mode::Is(false) || place.whole && place.oriented.unset() {
             self.say(own::NCT_ORIENTED, site.span, site.line, "M19");
             place.oriented = Mode::Open;
         }
-        let off = place.stylus == Mode::Is(false) || place.stylus.unset() && self.switches;
+        let off = place.stylus == Mode::Is(false) || place.whole && self.switches && place.stylus.unset();
         if off {
             self.say(own::NCT_STYLUS_OFF, site.span, site.line, "M59");
             place.stylus = Mode::Open;
@@ -241,11 +252,23 @@ mod tests {
     }
 
     #[test]
+    fn a_program_without_a_tool_is_asked_too() {
+        // oracle: manual C:62-72 (no macro without orientation; M55 switches the stylus off)
+        assert_eq!(told("O1000\nG110 D40 Z-10\nM30\n"), one("nct-oriented", 2));
+        assert_eq!(told("G110 D40 Z-10\nM30\n"), one("nct-oriented", 1));
+        assert_eq!(told("O1000\nG110 D40 Z-10\n"), one("nct-oriented", 2));
+        // what the text itself undoes is told of a piece too
+        assert_eq!(told("M59\nG102 D50\nG110 D40 S1\nM55\nG105 X5\n"), one("nct-stylus-off", 5));
+        assert_eq!(told("M19\nS500 M3\nG110 D40 S1\n"), one("nct-oriented", 3));
+    }
+
+    #[test]
     fn what_another_program_does_is_not_known() {
         // oracle: hand
         assert_eq!(told(&format!("O0110\nT98\nM98 P200\n{POSITIONED}M30\nO0200\nM19\nM99\n")), []);
         assert_eq!(told(&format!("O0110\nT98\nM98 P200\nM30\nO0200\n{POSITIONED}M99\n")), []);
         assert_eq!(told("G110 D50 S1\n"), []); // a piece
+        assert_eq!(told("O0200\nG110 D50 S1\nM99\n"), []); // another file may call it
         let quiet = format!("O0110\nT98\nM98 P200\n{POSITIONED}M30\nO0200\n#1=2\nM99\n");
         assert_eq!(told(&quiet), one("nct-oriented", 5));
         assert_eq!(told(&format!("O0110\nT98\nIF[#1EQ1]GOTO9\n{POSITIONED}N9 M30\n")), one("nct-oriented", 5));

@@ -130,6 +130,16 @@ impl Follow for Walk<'_> {
 }
 
 impl Clash {
+    /// The later call for which the assignment is this parameter, where the same assignment comes to both calls: its
+    /// R parameter, assigned again between them, parts the two.
+    pub(super) fn later<'a>(&self, older: &'a Older) -> Option<&'a Call> {
+        let at = older.assigned.binary_search_by_key(&self.from, |one| one.word.start).ok()?;
+        let one = older.assigned.get(at)?;
+        let mut behind = one.calls.iter().filter(|call| **call > self.call).filter_map(|call| older.calls.get(*call));
+        let meant = |call: &&Call| call.names.get(&one.number).is_some_and(|names| names.contains(&self.name));
+        behind.find(meant).filter(|_| one.calls.contains(&self.call))
+    }
+
     /// The place of the assignment.
     pub(super) fn place(&self, program: &Program) -> Span {
         let place = Span { start: self.from, end: self.from + 1 };

@@ -46,7 +46,13 @@ pub fn findings(program: &Program, programs: &Programs, older: &Older, found: &m
     }
     for clash in &older.clashes {
         let Some(call) = older.calls.get(clash.call) else { continue };
-        let finding = own::OLDER_CLASH.finding().text("word", program.name(call.name)).text("name", clash.name);
+        let later = clash.later(older);
+        let sentence = if later.is_some() { &own::OLDER_CLASH_LATER } else { &own::OLDER_CLASH };
+        let finding = sentence.finding().text("word", program.name(call.name)).text("name", clash.name);
+        let finding = match later {
+            Some(other) => finding.text("other", program.name(other.name)),
+            None => finding,
+        };
         found.push(finding.text("text", program.written(clash.place(program))).on(call.name));
     }
     for (number, place) in &older.results {

@@ -2,10 +2,12 @@
 //! delivered each is a CASE that jumps to the label of the cycle, whose lines end in M17; the variable of the CASE is
 //! not printed.
 
-use super::{BEFORE, UserProgram, label};
+use super::{ALL, BEFORE, UserProgram, callers, label};
 use crate::dialect::Dialect;
-use crate::entry::Cycle;
+use crate::entry::{Cycle, names};
+use crate::syntax::links::{canonical, targets};
 use crate::syntax::{Word, WordKind, read};
+use std::collections::BTreeSet;
 use std::fmt::Write;
 
 /// Lines of a cycle.
@@ -18,6 +20,9 @@ pub struct Branch {
     pub behind: Vec<String>,
 }
 
+/// Label behind the branches of a whole file.
+pub const END: &str = "_MEND";
+
 /// The comment of a branch: key with the cycle.
 pub type Words<'a> = &'a dyn Fn(&str, &Cycle) -> String;
 
@@ -28,7 +33,7 @@ pub fn write(user: &UserProgram, branches: &[Branch], variable: Option<&str>, wo
     if let Some(variable) = variable {
         let _ = writeln!(text, "%_N_{}_SPF\n;$PATH=/_N_CUS_DIR\nPROC {}", user.name, user.name);
         let jumps: Vec<String> = branches.iter().map(|branch| jump(branch.cycle)).collect();
-        let _ = writeln!(text, "CASE {variable} OF {} DEFAULT GOTOF _MEND", jumps.join(" "));
+        let _ = writeln!(text, "CASE {variable} OF {} DEFAULT GOTOF {END}", jumps.join(" "));
     }
     for branch in branches {
         let (key, lines) = match before {
@@ -42,7 +47,7 @@ pub fn write(user: &UserProgram, branches: &[Branch], variable: Option<&str>, wo
         text.push_str("M17\n");
     }
     if variable.is_some() {
-        text.push_str("_MEND:\nM17\n");
+        let _ = writeln!(text, "{END}:\nM17");
     }
     text
 }
@@ -52,8 +57,8 @@ fn jump(cycle: &Cycle) -> String {
     format!("{number} GOTOF {}", label(cycle))
 }
 
-/// The lines of a text; an error: one that cannot stand between label and M17, because it ends the program or cannot be
-/// written.
+/// The lines of a text; an error: one that cannot stand between label and M17, because it ends the program, declares
+/// something or cannot be written.
 ///
 /// # Errors
 /// That line.
@@ -69,11 +74,37 @@ fn stands(line: &str) -> bool {
     let program = read(Dialect::Sinumerik, line.as_bytes());
     let ends = |word: &Word| {
         program.machine_function(word).is_some_and(|number| [2.0, 17.0, 30.0].contains(&number))
-            || program.is_keyword(word, &["RET", "PROC", "CASE"])
+            || program.is_keyword(word, &["RET", "PROC", "EXTERN", "DEF", "REDEF", "CASE"])
     };
     let named = program.words.iter().any(ends) || line.ends_with(':') || line.starts_with('%');
     line.len() <= LONGEST && !named && !line.chars().any(char::is_control)
 }
+
+/// What lines call that calls them again: a measuring cycle, or one of both programs.
+pub fn calls_again(lines: &[String]) -> Option<&'static str> {
+    let text = lines.join("\n");
+    let program = read(Dialect::Sinumerik, text.as_bytes());
+    let mut names = callers().map(|cycle| cycle.name).chain(ALL.map(|user| user.name));
+    names.find(|name| program.words.iter().any(|word| program.is_call(word, &[name])))
+}
+
+/// Where lines jump to without having that label, nor one of these.
+pub fn leaves(lines: &[String], labels: &[String]) -> Vec<String> {
+    let text = lines.join("\n");
+    let program = read(Dialect::Sinumerik, text.as_bytes());
+    let own = targets(&program);
+    let target = |word: &Word| match &word.kind {
+        WordKind::Keyword { value: Some(value), .. } if program.is_keyword(word, &JUMPS) => {
+            Some(program.written(program.place(*value)).to_ascii_uppercase())
+        }
+        _ => None,
+    };
+    let there = |name: &String| own.contains_key(&canonical(name)) || labels.contains(name);
+    program.words.iter().filter_map(target).filter(|name| !there(name)).collect()
+}
+
+/// Words with a target behind them.
+const JUMPS: [&str; 3] = ["GOTO", "GOTOF", "GOTOB"];
 
 /// The parameters of a cycle that lines write: it would measure something else.
 pub fn changed(cycle: &'static Cycle, lines: &[String]) -> Vec<&'static str> {
@@ -86,7 +117,8 @@ pub fn changed(cycle: &'static Cycle, lines: &[String]) -> Vec<&'static str> {
         })
     };
     let own = cycle.params.iter().filter(|param| !param.is_machine_datum()).map(|param| param.name.as_str());
-    own.filter(|name| written(name)).collect()
+    let all = own.chain([names::MVAR.as_str()]);
+    all.filter(|name| written(name)).collect::<BTreeSet<_>>().into_iter().collect()
 }
 
 #[cfg(test)]
@@ -143,11 +175,36 @@ mod tests {
     #[test]
     fn lines_that_end_the_branch_are_refused() {
         // oracle: hand
-        for wrong in ["M17", "M27\nM30", "RET", "_M977:", "PROC X", "CASE R1 OF 1 GOTOF A", "%_N_X_SPF"] {
+        for wrong in ["M17", "M27\nM30", "RET", "_M977:", "PROC X", "DEF INT X", "CASE R1 OF 1 GOTOF A", "%_N_X_SPF"] {
             assert!(lines(wrong).is_err(), "{wrong}");
         }
         assert_eq!(lines(" M27 |\n G4 F1 ").unwrap(), ["M27", "G4 F1"]);
         let cycle = find(Dialect::Sinumerik, "CYCLE977").unwrap();
         assert_eq!(changed(cycle, &lines("_SETVAL=5|R1=2").unwrap()), ["_SETVAL"]);
+        assert_eq!(changed(cycle, &lines("_MVAR=2").unwrap()), ["_MVAR"]);
+    }
+
+    #[test]
+    fn what_would_call_these_lines_again_is_found() {
+        // oracle: manual B:2482-2508 (every measuring cycle calls both)
+        for cycle in callers() {
+            for line in [cycle.name.to_owned(), format!("M27|IF R1==0|{}|ENDIF", cycle.name)] {
+                assert_eq!(calls_again(&lines(&line).unwrap()), Some(cycle.name), "{line}");
+            }
+        }
+        assert_eq!(calls_again(&lines("M27|CYCLE198").unwrap()), Some("CYCLE198"));
+        assert_eq!(calls_again(&lines("M27|CYCLE199()").unwrap()), Some("CYCLE199"));
+        assert_eq!(calls_again(&lines("M27|CYCLE116|MY_COVER(1)|L10").unwrap()), None);
+    }
+
+    #[test]
+    fn jumps_out_of_the_lines_are_found() {
+        // oracle: hand
+        let labels = ["_MEND".to_owned()];
+        let left = |text: &str| leaves(&lines(text).unwrap(), &labels);
+        assert_eq!(left("GOTOF ABC"), ["ABC"]);
+        assert_eq!(left("IF R1==1 GOTOF abc|M27"), ["ABC"]);
+        assert_eq!(left("IF R1==1 GOTOF ABC|M27|ABC: M28|GOTOF _MEND"), [""; 0]);
+        assert_eq!(left("GOTOF N0100|N100 M28"), [""; 0]);
     }
 }
