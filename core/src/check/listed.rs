@@ -1,7 +1,7 @@
 //! Arguments of a call as such: of the wrong sort, too many, a selection that tells no variant.
 
 use crate::diagnostic::Diagnostic;
-use crate::entry::{ArgumentList, Cycle, Kind, Param, Style};
+use crate::entry::{Arg, ArgumentList, Cycle, Kind, Param, Style};
 use crate::own;
 
 /// What sort of value a program writes.
@@ -52,11 +52,22 @@ pub fn refused(
     if list.style == Style::Operate {
         return None;
     }
+    if list.style == Style::Direct && numbers_for_variables(list, count, &number) {
+        return Some(own::NEWER_NO_LIST.finding().text("cycle", list.name));
+    }
     if let Some(found) = too_many(list.name, list.args.len(), count) {
         return Some(found);
     }
     let (index, choices) = list.unselected(&number)?;
     Some(selection(list.name, index, number(index)?, choices))
+}
+
+/// Whether numbers stand where the older control takes variables: newer ones have a list of their own there, which is
+/// not published (CYCLE116, CYCLE119).
+fn numbers_for_variables(list: &ArgumentList, count: usize, number: impl Fn(usize) -> Option<f64>) -> bool {
+    let variable = |arg: &Arg| matches!(arg, Arg::Variable(_) | Arg::Output(_));
+    let mut variables = list.args.iter().take(count).enumerate().filter(|(_, arg)| variable(arg));
+    variables.any(|(index, _)| number(index).is_some())
 }
 
 /// An argument that selects nothing.
