@@ -1,5 +1,6 @@
 //! Arguments of a call as such: of the wrong sort, too many, a selection that tells no variant.
 
+use super::{Parsed, parse};
 use crate::diagnostic::Diagnostic;
 use crate::entry::{Arg, ArgumentList, Cycle, Kind, Param, Style};
 use crate::own;
@@ -52,9 +53,6 @@ pub fn refused(
     if list.style == Style::Operate {
         return None;
     }
-    if list.style == Style::Direct && numbers_for_variables(list, count, &number) {
-        return Some(own::NEWER_NO_LIST.finding().text("cycle", list.name));
-    }
     if let Some(found) = too_many(list.name, list.args.len(), count) {
         return Some(found);
     }
@@ -62,12 +60,16 @@ pub fn refused(
     Some(selection(list.name, index, number(index)?, choices))
 }
 
-/// Whether numbers stand where the older control takes variables: newer ones have a list of their own there, which is
-/// not published (CYCLE116, CYCLE119).
-fn numbers_for_variables(list: &ArgumentList, count: usize, number: impl Fn(usize) -> Option<f64>) -> bool {
+/// Numbers as a program writes them where the older control takes variables: newer ones have a list of their own there,
+/// which is not published (CYCLE116, CYCLE119).
+pub fn numbers_for_variables<'a>(
+    list: &ArgumentList,
+    texts: impl Iterator<Item = Option<&'a str>>,
+) -> Option<Diagnostic> {
     let variable = |arg: &Arg| matches!(arg, Arg::Variable(_) | Arg::Output(_));
-    let mut variables = list.args.iter().take(count).enumerate().filter(|(_, arg)| variable(arg));
-    variables.any(|(index, _)| number(index).is_some())
+    let mut written = list.args.iter().zip(texts).filter(|(arg, _)| list.style == Style::Direct && variable(arg));
+    let number = |text: Option<&str>| text.is_some_and(|text| matches!(parse(text), Parsed::Number(_)));
+    written.any(|(_, text)| number(text)).then(|| own::NEWER_NO_LIST.finding().text("cycle", list.name))
 }
 
 /// An argument that selects nothing.

@@ -121,6 +121,8 @@ fn a_list_that_is_not_published_is_not_held_against_the_older_control() {
         let text = format!("{call}\nM30\n");
         assert_eq!(of_calls(&text), [(Severity::Warning, "newer-no-list".to_owned())], "{call}");
     }
+    let variables = "DEF INT _ALM\n_ALM=0\nCYCLE116(_DATE,_ALM)\nM30\n";
+    assert!(of_calls(variables).iter().all(|(_, key)| key != "newer-no-list"), "{variables}");
 }
 
 // oracle: peer (the published lists of CYCLE971 and CYCLE982 end with an argument without a name)
