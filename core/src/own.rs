@@ -283,6 +283,9 @@ sentences! {
     NEWER_ALONE 227 Note "newer-alone" "";
     NEWER_AWAY 230 Error "newer-away" "newer-away-hint";
     WRITE_ASSIGNED 231 Note "write-assigned" "write-assigned-hint";
+    NEWER_CENTRE_MISSING 237 Warning "newer-centre-missing" "newer-centre-missing-hint";
+    NEWER_CENTRE_UNUSED 237 Warning "newer-centre-unused" "newer-centre-unused-hint";
+    NEWER_NO_LIST 238 Warning "newer-no-list" "newer-no-list-hint";
 }
 
 #[cfg(all(test, feature = "cli"))]

@@ -18,6 +18,12 @@ describe("an argument list of newer controls", () => {
     await unfold(page);
     const direction = field(page, "S_MD").locator(".entry-line > .figure");
     assert.equal(await direction.inputValue(), "2");
+    const cut = await field(page, "_KNUM")
+      .locator(".entry-line > .figure")
+      .evaluate(box => {
+        return [box.value, box.scrollWidth - box.clientWidth];
+      });
+    assert.deepEqual(cut, ["10001", 0], "the box shows all five digits of a coarse zero offset");
     await direction.focus();
     await page.waitForFunction(() => document.querySelector(".explain")?.textContent.includes("Argument 9"));
     if (process.env.PICTURES) await page.screenshot({ path: `${process.env.PICTURES}/list-1280.png` });
@@ -84,6 +90,35 @@ describe("an argument list of newer controls", () => {
     await page.locator(".cm-told").waitFor();
     await page.keyboard.press("Home");
     await page.locator(".cm-told").waitFor({ state: "detached" });
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
+  // oracle: peer (published list of CYCLE977: hundreds 0 of argument 1 only measures, no argument takes _VMS or _TNUM,
+  // argument 20 is S_TUL); hand (the help page is that of the older control and says so)
+  test("has the words of the list, and its own arguments as fields", async () => {
+    const { context, page, problems } = await start(chrome);
+    const call = "CYCLE977(1,,,1,50,,,2,5,0,,,,,1,,,0,1,1,-1,,,,,1,1)";
+    const program = `G17 G54 T9 D1 M6\nG0 X60 Y0\n${call}\nM30\n`;
+    await openFirstCall(page, program);
+    await unfold(page);
+    await page.getByRole("heading", { name: "Hole: measure only" }).first().waitFor();
+    for (const name of ["_VMS", "_TNUM", "_TNAME"])
+      assert.equal(await field(page, name).locator(".required").count(), 0);
+    assert.equal(await field(page, "_VMS").count(), 0);
+    assert.equal(await field(page, "_PRNUM").locator("select").count(), 0, "no type of probe");
+    const zero = program.replace("(1,,", "(101,1,");
+    await field(page, "_MVAR").locator(".entry-line > .figure").fill("101");
+    await programWhen(page, now => now === program.replace("(1,,", "(101,,"));
+    await field(page, "_KNUM").locator(".entry-line > .figure").fill("1");
+    await programWhen(page, now => now === zero);
+    await unfold(page);
+    await field(page, "_TUL").locator(".entry-line > .figure").fill("0.5");
+    await programWhen(page, now => now === zero.replace("0,1,1,-1", "0,1,0.5,-1"));
+    if (process.env.PICTURES) await page.screenshot({ path: `${process.env.PICTURES}/list-words-1280.png` });
+    await page.locator(".help-open").click();
+    await page.locator(".help-older", { hasText: "older controls" }).waitFor();
+    if (process.env.PICTURES) await page.screenshot({ path: `${process.env.PICTURES}/list-help-1280.png` });
     assert.deepEqual(problems, []);
     await context.close();
   });

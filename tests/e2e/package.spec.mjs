@@ -57,6 +57,25 @@ describe("the npm package", () => {
     assert.match(told.refused, /fanuc/);
   });
 
+  // oracle: peer (`probewright convert` gives this text); hand: assignments stand in a line before the call
+  test("converts a call whose edits begin at one place", () => {
+    const told = inNode(`
+      import { apply, load } from "probewright";
+      const probewright = await load();
+      const text = "CYCLE977(101,1,,1,50,,,2,5)\\nM30\\n";
+      const { edits } = probewright.convert({ control: "sinumerik", text, call: 0, style: "direct" });
+      const direct = apply(text, [edits]);
+      const { calls } = probewright.read({ control: "sinumerik", text: direct });
+      const both = [{ from: 2, to: 2, insert: "1" }, { from: 2, to: 2, insert: "2" }, { from: 2, to: 3, insert: "X" }];
+      console.log(JSON.stringify({ direct, calls: calls.map(one => [one.cycle, one.values._SETVAL]),
+        same: Math.min(...edits.map(one => one.from)), ordered: apply("abcd", [both]) }));
+    `);
+    assert.match(told.direct, /^_MVAR=101 [^\n]*\n(?:_[^\n]*\n)*CYCLE977\nM30\n$/);
+    assert.deepEqual(told.calls, [["CYCLE977", "50"]]);
+    assert.equal(told.same, 0);
+    assert.equal(told.ordered, "ab12Xd");
+  });
+
   // oracle: self (README.md)
   test("does what its README shows", () => {
     const [, example] = /```js\n([\s\S]*?)```/.exec(

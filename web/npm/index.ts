@@ -105,8 +105,9 @@ export async function load(module?: BufferSource | WebAssembly.Module | URL | st
 /** The text behind the edits of a change: each step holds edits for the text behind the step before. */
 export function apply(text: string, steps: Changed["steps"]): string {
   return steps.reduce((before, edits) => {
-    const backwards = [...edits].sort((one, other) => other.from - one.from);
-    return backwards.reduce((now, edit) => now.slice(0, edit.from) + edit.insert + now.slice(edit.to), before);
+    // what is inserted where another edit begins stands before it
+    const inOrder = [...edits].sort((one, other) => one.from - other.from || one.to - other.to);
+    return inOrder.reduceRight((now, edit) => now.slice(0, edit.from) + edit.insert + now.slice(edit.to), before);
   }, text);
 }
 

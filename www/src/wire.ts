@@ -339,6 +339,8 @@ export type CallView = {
   key: string,
   /** Number of the variant, where it is known. */
   mvar: number | null,
+  /** What it is called, where it is written in a list of newer controls and its variant is known. */
+  title?: Message,
   /** First line with an assignment that belongs to it, from 1. */
   line: number,
   /** Line of the call itself. */
@@ -1435,6 +1437,8 @@ export type FormView = {
   mvar: number | null,
   /** The limits of the tolerances as a picture, where there are any. */
   chain?: Chain,
+  /** What the call is called, where a list of newer controls says less than the name of the variant. */
+  title?: Message,
   /** What the values mean, drawn. */
   picture?: Picture,
   /** When asked for: the same task on other controls; empty where none has it. */
@@ -1522,6 +1526,8 @@ export type HelpRequest = {
   cycle: string,
   /** Number of the variant. */
   mvar: number,
+  /** Call style of the call that the page is about; absent: that of the cycle. */
+  style?: Style,
 };
 
 /** A result by its name and the key of its meaning. */
@@ -1550,6 +1556,8 @@ export type HelpText = {
 
 /** The help page of a variant. */
 export type HelpView = {
+  /** What of the page does not count for a call in the list of a newer control. */
+  note?: Message,
   /** Sections of the page, in order; none is empty. */
   sections: Array<HelpSection>,
   /** Parameters that every call of the variant gives. */
@@ -1978,6 +1986,8 @@ export type OtherCall = {
   line: number,
   /** Where it begins in the text, UTF-16 units. */
   from: number,
+  /** What stands at its arguments, by their names in the published list. */
+  values?: { [key in string]: string },
 };
 
 /** What a call does. */

@@ -9,3 +9,4 @@ cycle978-tool = Fläche, Werkzeug korrigieren
 cycle978-zero = Fläche, NV korrigieren
 cycle978-differential-tool = Fläche mit Differenzmessung, Werkzeug korrigieren
 cycle978-differential-zero = Fläche mit Differenzmessung, NV korrigieren
+cycle978-measured = Fläche, nur messen

@@ -74,6 +74,9 @@ argument-name-only = Bedeutung nicht veröffentlicht
 argument-unnamed = Für diesen Platz ist auch kein Name veröffentlicht
 argument-direction-plus = Plusrichtung
 argument-direction-minus = Minusrichtung
+argument-probe-help = Nummer des Messtasters, 1 bis 12: Seine Daten sind Settingdaten ab SD 54600.
+argument-tool-probe-help = Nummer des Werkzeugmesstasters, 1 bis 6: Seine Daten sind Settingdaten ab SD 54625.
+argument-help-older = Diese Seite beschreibt den Zyklus an älteren Steuerungen. In der Argumentliste neuerer gelten andere Zahlen und Argumente: Nullpunktverschiebung (ab 10000: grob), Messtaster, Messrichtung S_MD. _CHBIT, _CBIT und die Stellen von _KNUM gehören zur älteren Steuerung. Wo keine NV korrigiert wird, misst der Aufruf nur.
 write-direction = S_MD ist leer: Der ältere Aufruf sagt nicht, in welche Richtung gemessen wird.
 write-direction-hint = 1 (plus) oder 2 (minus) eingeben, wie es Programme von Anwendern immer tun.
 write-infeed = S_ID = { $value } behält sein Vorzeichen. Welches nach unten führt, ist an neueren Steuerungen von Programm zu Programm verschieden.
@@ -94,6 +97,12 @@ newer-infeed = Ein positives { "_ID" } wird geschrieben und nicht simuliert.
 newer-infeed-hint = Programme neuerer Steuerungen sind sich über das Vorzeichen nach unten uneins: Negativ simuliert es die Maske.
 newer-away = { "S_MD" } = { $value } führt vom Sollwert weg: Der Messtaster steht auf der anderen Seite. Was die Steuerung dann tut, ist nicht veröffentlicht; der Lauf hält hier an.
 newer-away-hint = Messtaster auf der anderen Seite der Fläche positionieren oder die Messrichtung ändern.
+newer-centre-missing = { "_AMODE" } = 11 heißt, dass der Aufruf den Mittelpunkt angibt; S_XM und S_YM sind aber leer.
+newer-centre-missing-hint = Mittelpunkt in S_XM und S_YM eingeben oder { "_AMODE" } auf 1 setzen.
+newer-centre-unused = S_XM und S_YM geben den Mittelpunkt an, { "_AMODE" } ist aber { $value }: Programme haben dann dort 11.
+newer-centre-unused-hint = { "_AMODE" } auf 11 setzen oder S_XM und S_YM leer lassen.
+newer-no-list = { $cycle } mit Zahlen als Argumenten: Die ältere Steuerung erwartet hier Variablen; die Argumentliste neuerer Steuerungen ist nicht veröffentlicht.
+newer-no-list-hint = An älteren Steuerungen Variablennamen schreiben. Sonst bleibt der Aufruf unverändert und wird weder geprüft noch simuliert.
 write-assigned = { $cycle } wird mit Zuweisungen geschrieben: Die Stellen von Argument 1 seiner Liste sind nicht veröffentlicht.
 write-assigned-hint = Ob diese Maschine auch Zuweisungen nimmt, zeigt ein Versuch an ihr.
 write-coarse = Argument 2 = { $value } heißt Feinverschiebung; hier korrigiert { "_CHBIT[21]" } = 1 die Grobverschiebung.

@@ -163,6 +163,8 @@ param-tdif-help = Zulässige Maßdifferenz. Eine größere Differenz korrigiert 
 
 need-always = Der Zyklus braucht diesen Wert.
 need-default = Ohne Eingabe gilt der Wert eines früheren Aufrufs, sonst die Vorbesetzung.
+need-omitted = Ein weggelassenes Argument ist 0: Werte früherer Aufrufe gelten nicht.
+need-listed = Ohne Eingabe wird die Vorbesetzung in die Argumentliste geschrieben.
 need-element = Das Messelement hat ein einziges Maß.
 need-rectangle = Ein Rechteck hat zwei Längen.
 need-infeed-zone = Mit Schutzzone startet der Messtaster über dem Messelement.

@@ -174,7 +174,7 @@ terminal-cycle-text = Name des Zyklus, zum Beispiel CYCLE977
 terminal-values-text = Werte, zum Beispiel _SETVAL=132
 terminal-comments-text = Zu jedem Parameter eine Kommentarzeile schreiben
 terminal-around-text = Baustein um den Aufruf: NAME, seine Felder als NAME.FELD=WERT; mehrfach möglich (siehe docs/de/around.md)
-terminal-style-text = Schreibweise: direct (Zuweisungen, dann der Aufruf; Vorbesetzung), indirect (CYCLE_PARA und Parametrieraufruf), operate (Argumentliste neuerer Steuerungen)
+terminal-style-text = Schreibweise: direct (Zuweisungen, dann der Aufruf; Vorbesetzung, an Maschinen der Generation 3 operate), indirect (CYCLE_PARA und Parametrieraufruf), operate (Argumentliste neuerer Steuerungen)
 terminal-print-text = Datei für den Ausdruck: was die Adressen V und W der NCT-Makros drucken
 terminal-log-text = Ordner für Messprotokolle und für Dateien, die das Programm schreibt; vorhandene Dateien werden nicht überschrieben
 terminal-record-text = Datei für das Protokoll aller Messungen: Tabelle (.csv) oder Dokument (.json, siehe docs/record.schema.json)
@@ -325,6 +325,7 @@ server-operate = Als Argumentliste neuerer Steuerungen schreiben
 server-every-direct = Alle Aufrufe als Zuweisungen und Aufruf schreiben
 server-every-indirect = Alle Aufrufe als Parametrieraufrufe schreiben (CYCLE_PARA)
 server-every-operate = Alle Aufrufe als Argumentlisten neuerer Steuerungen schreiben
+server-remarks = { $number } Hinweise
 server-unit = Einheit: { $unit }
 server-fallback = Vorbesetzung: { $value }
 server-label = Sprungmarke

@@ -9,3 +9,4 @@ cycle978-tool = Surface: correct a tool
 cycle978-zero = Surface: correct a zero offset
 cycle978-differential-tool = Surface, differential: correct a tool
 cycle978-differential-zero = Surface, differential: correct a zero offset
+cycle978-measured = Surface: measure only

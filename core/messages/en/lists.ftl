@@ -74,6 +74,9 @@ argument-name-only = Meaning not published
 argument-unnamed = Not even a name is published for this place
 argument-direction-plus = Plus direction
 argument-direction-minus = Minus direction
+argument-probe-help = Number of the probe, 1 to 12: its data are setting data from SD 54600 on.
+argument-tool-probe-help = Number of the tool probe, 1 to 6: its data are setting data from SD 54625 on.
+argument-help-older = This page describes the cycle on older controls. In the list of newer controls other numbers and arguments count: zero offsets (10000 and more: coarse), probe, measuring direction S_MD. _CHBIT, _CBIT and digits of _KNUM are of the older control. Where no zero offset is corrected, the call only measures.
 write-direction = S_MD is empty: the older call does not say in which direction is measured.
 write-direction-hint = Enter 1 (plus) or 2 (minus), as programs of machine users always do.
 write-infeed = S_ID = { $value } keeps its sign. On newer controls programs disagree about the sign that leads down.
@@ -94,6 +97,12 @@ newer-infeed = A positive { "_ID" } is written and not simulated.
 newer-infeed-hint = Programs of newer controls disagree about the sign that leads down: with a negative one the form simulates it.
 newer-away = { "S_MD" } = { $value } leads away from the setpoint: the probe is on its other side. What the control does then is not published; the run stops here.
 newer-away-hint = Position the probe on the other side of the surface, or change the measuring direction.
+newer-centre-missing = { "_AMODE" } = 11 says that the call gives the centre, but S_XM and S_YM are empty.
+newer-centre-missing-hint = Enter the centre in S_XM and S_YM, or set { "_AMODE" } to 1.
+newer-centre-unused = S_XM and S_YM give the centre, but { "_AMODE" } is { $value }: programs then have 11 there.
+newer-centre-unused-hint = Set { "_AMODE" } to 11, or leave S_XM and S_YM empty.
+newer-no-list = { $cycle } with numbers as arguments: the older control takes variables here, and the list of newer controls is not published.
+newer-no-list-hint = Older control: write the names of the variables. Otherwise the call stays as it is, unchecked, not simulated.
 write-assigned = { $cycle } is written as assignments: the digits of argument 1 of its list are not published.
 write-assigned-hint = Whether this machine takes assignments too, a test on it tells.
 write-coarse = Argument 2 = { $value } means the fine part of the zero offset; here { "_CHBIT[21]" } = 1 corrects the coarse part.

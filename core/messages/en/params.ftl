@@ -163,6 +163,8 @@ param-tdif-help = Permissible dimensional difference. A larger difference is not
 
 need-always = The cycle requires it.
 need-default = If omitted, the value of an earlier call applies, otherwise the default.
+need-omitted = An omitted argument is 0: no value of an earlier call applies.
+need-listed = Without an entry, the default is written into the list.
 need-element = The element has one size.
 need-rectangle = A rectangle has two lengths.
 need-infeed-zone = With a protection zone the probe starts above the element.

@@ -178,7 +178,7 @@ terminal-cycle-text = Name of the cycle, for example CYCLE977
 terminal-values-text = Values, for example _SETVAL=132
 terminal-comments-text = Write a comment line for each parameter
 terminal-around-text = Block around the call: NAME, its fields as NAME.FIELD=VALUE; may be repeated (see docs/around.md)
-terminal-style-text = Call style: direct (assignments, then the call; default), indirect (CYCLE_PARA and a parameterising call), operate (argument list of newer controls)
+terminal-style-text = Call style: direct (assignments, then the call; default, on a machine of generation 3 operate), indirect (CYCLE_PARA and a parameterising call), operate (argument list of newer controls)
 terminal-print-text = File for the printout: what addresses V and W of NCT macros print
 terminal-log-text = Folder for measurement logs and for files that the program writes; existing files are not overwritten
 terminal-record-text = File for the record of all measurements: a table (.csv) or a document (.json, see docs/record.schema.json)
@@ -325,6 +325,7 @@ server-operate = Write as argument list of newer controls
 server-every-direct = Write all calls as assignments and call
 server-every-indirect = Write all calls as parameterising calls (CYCLE_PARA)
 server-every-operate = Write all calls as argument lists of newer controls
+server-remarks = { $number } remarks
 server-unit = Unit: { $unit }
 server-fallback = Default: { $value }
 server-label = Label

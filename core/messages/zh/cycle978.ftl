@@ -9,3 +9,4 @@ cycle978-tool = 表面：补偿刀具
 cycle978-zero = 表面：补偿零点偏移
 cycle978-differential-tool = 表面，差值测量：补偿刀具
 cycle978-differential-zero = 表面，差值测量：补偿零点偏移
+cycle978-measured = 表面：仅测量

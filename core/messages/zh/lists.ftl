@@ -74,6 +74,9 @@ argument-name-only = 含义未公布
 argument-unnamed = 此位置连名称也未公布
 argument-direction-plus = 正方向
 argument-direction-minus = 负方向
+argument-probe-help = 测头的编号，1 至 12：其数据是 SD 54600 起的设定数据。
+argument-tool-probe-help = 刀具测头的编号，1 至 6：其数据是 SD 54625 起的设定数据。
+argument-help-older = 本页说明旧版控制系统上的循环。在新型控制系统的参数表中，数值和参数有所不同：零点偏移（10000 以上为粗偏移）、测头、测量方向 S_MD。_CHBIT、_CBIT 和 _KNUM 的各位数字属于旧版控制系统。不补偿零点偏移时，该调用仅测量。
 write-direction = S_MD 为空：旧的调用没有说明测量方向。
 write-direction-hint = 输入 1（正）或 2（负），机床用户的程序总是写入该值。
 write-infeed = S_ID = { $value } 保持其符号。在新型控制系统上，哪个符号表示向下因程序而异。
@@ -94,6 +97,12 @@ newer-infeed = 正的 { "_ID" } 会写入，但不模拟。
 newer-infeed-hint = 新型控制系统的程序对向下的符号不一致：取负值时输入画面会模拟。
 newer-away = { "S_MD" } = { $value } 背离设定值：测头在另一侧。控制系统此时的动作没有公开，运行在此停止。
 newer-away-hint = 把测头定位到表面的另一侧，或更改测量方向。
+newer-centre-missing = { "_AMODE" } = 11 表示调用给出了中心，但 S_XM 和 S_YM 为空。
+newer-centre-missing-hint = 请在 S_XM 和 S_YM 中输入中心，或将 { "_AMODE" } 设为 1。
+newer-centre-unused = S_XM 和 S_YM 给出了中心，但 { "_AMODE" } 为 { $value }：程序此时写 11。
+newer-centre-unused-hint = 请将 { "_AMODE" } 设为 11，或将 S_XM 和 S_YM 留空。
+newer-no-list = { $cycle } 的参数写了数字：旧版控制系统在此处使用变量，而新型控制系统的参数表没有公开。
+newer-no-list-hint = 在旧版控制系统上请写变量名。否则调用保持原样，不检查，也不模拟。
 write-assigned = { $cycle } 用赋值写出：其参数列表第 1 个参数的数位没有公开。
 write-assigned-hint = 这台机床是否也接受赋值，要在机床上试过才知道。
 write-coarse = 参数 2 = { $value } 表示零点偏移的精偏移；此处 { "_CHBIT[21]" } = 1 补偿粗偏移。

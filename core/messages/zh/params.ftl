@@ -163,6 +163,8 @@ param-tdif-help = 允许尺寸差。偏差超过此值时不作补偿，并输�
 
 need-always = 循环需要此值。
 need-default = 省略时沿用以前调用的值；以前没有赋值时按默认值。
+need-omitted = 省略的参数为 0：不沿用以前调用的值。
+need-listed = 不输入时，默认值写入参数表。
 need-element = 该被测要素只有一个尺寸。
 need-rectangle = 矩形有两个长度。
 need-infeed-zone = 有保护区时，测头从被测要素上方开始。

@@ -174,7 +174,7 @@ terminal-cycle-text = 循环名称，例如 CYCLE977
 terminal-values-text = 参数值，例如 _SETVAL=132
 terminal-comments-text = 为每个参数写一行注释
 terminal-around-text = 调用前后的程序块：NAME，字段为 NAME.FIELD=VALUE；可重复（见 docs/zh/around.md）
-terminal-style-text = 书写方式：direct（先赋值，后调用；默认），indirect（CYCLE_PARA 和参数化调用），operate（新型控制系统的参数表）
+terminal-style-text = 书写方式：direct（先赋值，后调用；默认，第 3 代机床为 operate），indirect（CYCLE_PARA 和参数化调用），operate（新型控制系统的参数表）
 terminal-print-text = 打印输出文件：NCT 宏程序的地址 V 和 W 所打印的内容
 terminal-log-text = 存放测量记录和程序所写文件的文件夹；不覆盖已有文件
 terminal-record-text = 存放全部测量结果报告的文件：表格（.csv）或文档（.json，见 docs/record.schema.json）
@@ -325,6 +325,7 @@ server-operate = 改写为新型控制系统的参数表
 server-every-direct = 将所有调用改写为赋值和调用
 server-every-indirect = 将所有调用改写为参数化调用（CYCLE_PARA）
 server-every-operate = 将所有调用改写为新型控制系统的参数表
+server-remarks = { $number } 条说明
 server-unit = 单位：{ $unit }
 server-fallback = 默认值：{ $value }
 server-label = 跳转标记

@@ -11,12 +11,13 @@ use super::twin::{TwinView, twins};
 use super::unsimulated;
 use super::{Error, choose_units, cycle};
 use crate::catalogue::find;
+use crate::catalogue::newer::variant_title;
 use crate::check::{Checked, Parsed, expression, newer, parse, variants};
 use crate::control::{Control, GENERATION, MachineSort, OF_LISTS, Plane, Transverse, UnitFunction};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::dialect::Dialect;
 use crate::entry::{ArgumentList, Cycle, Inputs, Kind, Style, Typed, names};
-use crate::form::{Chain, Field};
+use crate::form::{Chain, Field, Listed};
 use crate::machine::Setup;
 use crate::message::Message;
 use crate::name::Name;
@@ -142,6 +143,9 @@ pub struct FormView {
     /// The limits of the tolerances as a picture, where there are any.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub chain: Option<Chain>,
+    /// What the call is called, where a list of newer controls says less than the name of the variant.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub title: Option<Message>,
     /// What the values mean, drawn.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub picture: Option<Picture>,
@@ -192,7 +196,7 @@ pub fn form(mut asked: FormRequest) -> Result<FormView, Error> {
     let support = Support::of(cycle, control);
     // a program tells its generation by what it writes
     let listed = match asked.written {
-        None => control.number(GENERATION) == OF_LISTS,
+        None => write::is_listed_on(cycle, control),
         written => written == Some(Style::Operate),
     };
     let listed = newer_list(cycle, listed.then_some(Style::Operate)).filter(|list| list.is_written());
@@ -220,14 +224,16 @@ pub fn form(mut asked: FormRequest) -> Result<FormView, Error> {
     let mut view = view(cycle, &values_of, control, &checked, style, asked.comments.as_ref());
     view.preset = preset;
     let shown = newer.or_else(|| newer_list(cycle, Some(style)));
-    if let Some(list) = shown {
-        view.fields.extend(form::of_list(list, &values, control));
+    if let Some(list) = newer {
+        let listed = Listed { cycle, list, written: asked.written.is_some() };
+        view.fields = listed.fields(view.fields, &values, control);
+        keep_to_list(&mut view, cycle, list, &values, style, control);
+        tell_at_fields(&mut view);
+    } else if let Some(list) = shown {
+        view.fields.extend(form::beside(list, &values, control));
         form::name_arguments(list, &mut view.fields);
     }
-    if let Some(list) = newer {
-        form::take_numbers(list, cycle, asked.written.is_some(), &mut view.fields);
-        keep_to_list(&mut view, cycle, list, &values, style, control);
-    } else if control.number(GENERATION) == OF_LISTS && asked.written.is_none() {
+    if newer.is_none() && control.number(GENERATION) == OF_LISTS && asked.written.is_none() {
         let unwritten = newer_list(cycle, Some(Style::Operate));
         let told = unwritten.map(|_| own::WRITE_ASSIGNED.finding().text("cycle", cycle.name));
         view.snippet_findings.extend(told.iter().map(Finding::of));
@@ -287,12 +293,22 @@ fn keep_to_list(
         view.mvar = None;
         view.picture = None;
     }
+    let variant = cycle.variants.iter().find(|one| view.mvar == Some(one.number));
+    view.title = variant.and_then(|one| variant_title(one.key));
     let refused = (style != Style::Operate).then(|| convert::only_listed(cycle, list, values, control)).flatten();
     if let Some(finding) = refused {
         view.snippet.clear();
         view.snippet_places = Places::default();
         view.snippet_findings = vec![Finding::of(&finding)];
     }
+}
+
+/// What the list has no place for is told at the field that keeps it, and not below the text.
+fn tell_at_fields(view: &mut FormView) {
+    let lost = own::WRITE_LOST.code();
+    let (at_fields, rest) = std::mem::take(&mut view.snippet_findings).into_iter().partition(|one| one.code == lost);
+    view.snippet_findings = rest;
+    view.diagnostics.extend::<Vec<Finding>>(at_fields);
 }
 
 /// Names columns that show a result as the measuring calls name it, where they agree.
@@ -437,6 +453,7 @@ fn view(
         preset: style,
         complete: checked.diagnostics.iter().all(|found| found.severity != Severity::Error),
         mvar: variants::chosen_by(&inputs, values.typed),
+        title: None,
         picture: form::draw(cycle, values.typed, control).map(Picture::rounded),
         twins: None,
         unknown: None,

@@ -5,7 +5,6 @@ use super::finding::{Finding, placed};
 use super::places::{self, Places};
 use super::start::{Machine, start};
 use super::{Error, ProgramText};
-use crate::check::{newer, variants};
 use crate::control::{Control, Plane, Transverse, UnitFunction, delivery};
 use crate::dialect::Dialect;
 use crate::entry::{Style, Typed};
@@ -74,6 +73,10 @@ pub struct OtherCall {
     pub line: u32,
     /// Where it begins in the text, UTF-16 units.
     pub from: u32,
+    /// What stands at its arguments, by their names in the published list.
+    #[serde(skip_serializing_if = "Typed::is_empty")]
+    #[cfg_attr(test, ts(optional, as = "Option<Typed>"))]
+    pub values: Typed,
 }
 
 /// A program of a text that holds several.
@@ -117,6 +120,10 @@ pub struct CallView {
     pub key: &'static str,
     /// Number of the variant, where it is known.
     pub mvar: Option<i64>,
+    /// What it is called, where it is written in a list of newer controls and its variant is known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional, as = "Option<Message>"))]
+    pub title: Option<Message>,
     /// First line with an assignment that belongs to it, from 1.
     pub line: u32,
     /// Line of the call itself.
@@ -224,9 +231,10 @@ fn view(program: &Program, whole: &Whole, control: Control, told: &mut dyn FnMut
 /// The calls of cycles that have no form.
 fn others(program: &Program, whole: &Whole, positions: &Positions) -> Vec<OtherCall> {
     let own = without_form(program).filter(|other| whole.of_program(other.span.start));
-    own.map(|Other { name, title, span }| {
+    own.map(|Other { name, title, span, arguments }| {
         let (line, _) = positions.line_column(span.start);
-        OtherCall { cycle: name, title, line, from: positions.utf16(span.start) }
+        let values = arguments.into_iter().map(|(name, text)| (name.to_owned(), text)).collect();
+        OtherCall { cycle: name, title, line, from: positions.utf16(span.start), values }
     })
     .collect()
 }
@@ -268,6 +276,9 @@ fn parameters(program: &Program, unit: &Unit) -> Vec<ProgramParameter> {
 }
 
 fn call(program: &Program, site: &CallSite, around: &UserPrograms, positions: &Positions) -> CallView {
+    let mut control = delivery(site.cycle.dialect);
+    control.plane = site.plane;
+    let variant = site.variant(&control);
     let arrival = |origin: &program::calls::Origin| Arrival {
         value: origin.text.clone(),
         line: program.line_of(origin.place.start) + 1,
@@ -276,7 +287,8 @@ fn call(program: &Program, site: &CallSite, around: &UserPrograms, positions: &P
         control: program.dialect,
         cycle: site.cycle.name,
         key: site.cycle.key,
-        mvar: variant(site),
+        mvar: variant,
+        title: site.newer_list().and_then(|_| site.title(&control)),
         line: site.first_line + 1,
         last_line: site.line + 1,
         from: positions.utf16(site.span.start),
@@ -292,12 +304,4 @@ fn call(program: &Program, site: &CallSite, around: &UserPrograms, positions: &P
         diagnostics: placed(&site.diagnostics, positions),
         arrivals: placed(&[program::arrivals(program, site), around.around(site.cycle)].concat(), positions),
     }
-}
-
-/// Number of the measuring variant, where it is known.
-fn variant(site: &CallSite) -> Option<i64> {
-    let mut control = delivery(site.cycle.dialect);
-    control.plane = site.plane;
-    let open = site.newer_list().is_some_and(|list| newer::is_open(site.cycle, list, &site.values, &control));
-    variants::chosen(site.cycle, &site.values, &control).filter(|_| !open)
 }

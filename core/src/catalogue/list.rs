@@ -79,6 +79,7 @@ mod tests {
                 Arg::Param(names::MA),
                 Arg::Select(&[(4, 0), (1, 1000), (2, 2000)]),
             ],
+            published: &[],
             source: "",
         };
         assert_eq!(list.selections(102_001), Some(vec![1, 2]));

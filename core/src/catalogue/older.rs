@@ -7,7 +7,7 @@ use crate::catalogue::prelude::*;
 use crate::entry::Arg::{Down, Is, Open, Select};
 
 const fn list(name: &'static str, when: When, source: &'static str) -> ArgumentList {
-    ArgumentList { style: Style::Indirect, name, when, base: 0, args: &[], source }
+    ArgumentList { style: Style::Indirect, name, when, base: 0, args: &[], published: &[], source }
 }
 
 // which cycle is meant, and selections

@@ -12,7 +12,9 @@ use crate::name::Name;
 use crate::own::{self, Own};
 
 /// Highest number of a workpiece probe (61313).
-const PROBES: f64 = 12.0;
+pub const PROBES: f64 = 12.0;
+/// Highest number of a tool probe (61416).
+pub const TOOL_PROBES: f64 = 6.0;
 
 /// Findings that follow from what the arguments mean and from the part, whichever control measures.
 const SAME: [Own; 6] =
@@ -28,6 +30,18 @@ const ORDERS: [(Own, &[Name]); 3] = [
     (own::BAND_DIFFERENCE, &[names::TUL, names::TLL, names::TDIF]),
     (own::ZERO_MEAN, &[names::TZL, names::TMV]),
 ];
+
+/// Whether programs leave the argument empty because it belongs to a correction and this variant only measures:
+/// argument 2 takes zero offsets alone.
+pub fn is_unsaid(name: Name, inputs: &Inputs) -> bool {
+    let corrected = inputs.cycle.param(names::KNUM.as_str()).map(|param| target(param, inputs));
+    corrected == Some(Target::Tool) && [names::TMV, names::K, names::EVNUM].contains(&name)
+}
+
+/// Whether a list without this value does not say what is measured.
+pub fn is_needed(name: Name) -> bool {
+    NEEDED.contains(&name)
+}
 
 /// What says what is measured: each published program gives it.
 const NEEDED: [Name; 4] = [names::SETVAL, names::SETV0, names::SETV1, names::MA];
@@ -153,6 +167,8 @@ fn judged<'a>(cycle: &'static Cycle, list: &ArgumentList, typed: &'a Typed, cont
         judged.correction(diagnostics).into_iter().for_each(|one| judged.keep(one));
     }
     judged.probe();
+    judged.numbers(list);
+    judged.centre(list);
     judged
 }
 
@@ -234,6 +250,36 @@ impl<'a> Judged<'a> {
         self.foreign.push(name);
     }
 
+    /// Numbers whose meaning is not published, of the arguments of which some are.
+    fn numbers(&mut self, list: &ArgumentList) {
+        for (argument, published) in list.published {
+            let name = list.typed_as(argument);
+            let Parsed::Number(number) = parse(text(self.typed, name)) else { continue };
+            if published.holds(number) || self.foreign.contains(&name) {
+                continue;
+            }
+            self.foreign.push(name);
+            if self.found.iter().all(|one| one.param != Some(name)) {
+                self.open(name);
+            }
+        }
+    }
+
+    /// The centre beside which the probe starts, and the mode that says so: one without the other.
+    fn centre(&mut self, list: &ArgumentList) {
+        let Parsed::Number(mode) = parse(text(self.typed, Name::new(MODE))) else { return };
+        if !list.has(CENTRE[0]) {
+            return;
+        }
+        let given = |says: fn(&str) -> bool| CENTRE.iter().any(|name| says(text(self.typed, Name::new(name))));
+        let found = match mode == BESIDE {
+            true if !given(|text| !text.trim().is_empty()) => own::NEWER_CENTRE_MISSING.finding(),
+            false if given(|text| !is_nothing(text)) => own::NEWER_CENTRE_UNUSED.finding().number("value", mode),
+            _ => return,
+        };
+        self.found.push(found.at(Name::new(MODE)));
+    }
+
     /// The number of a workpiece probe.
     fn probe(&mut self) {
         let Parsed::Number(number) = parse(text(self.typed, names::PRNUM)) else { return };
@@ -245,6 +291,13 @@ impl<'a> Judged<'a> {
         }
     }
 }
+
+/// The arguments for a centre beside which the probe starts, and how `_AMODE` says that they give it.
+pub const CENTRE: [&str; 2] = ["S_XM", "S_YM"];
+/// The argument for the mode.
+pub const MODE: &str = "_AMODE";
+/// Its value where the centre is given.
+pub const BESIDE: f64 = 11.0;
 
 /// What is typed for a parameter; empty where nothing is.
 fn text(typed: &Typed, name: Name) -> &str {

@@ -29,8 +29,28 @@ pub struct ArgumentList {
     pub base: i64,
     /// The arguments in order.
     pub args: &'static [Arg],
+    /// Of some arguments the numbers whose meaning is published; of the others any number is taken.
+    pub published: &'static [(&'static str, Published)],
     /// Where the order is from.
     pub source: &'static str,
+}
+
+/// The numbers of an argument whose meaning is published.
+pub enum Published {
+    /// These.
+    OneOf(&'static [f64]),
+    /// From one to another, both included.
+    Within(f64, f64),
+}
+
+impl Published {
+    /// Whether the number is one of them.
+    pub fn holds(&self, number: f64) -> bool {
+        match self {
+            Published::OneOf(numbers) => numbers.contains(&number),
+            Published::Within(least, most) => (*least..=*most).contains(&number),
+        }
+    }
 }
 
 /// One argument.
@@ -75,12 +95,17 @@ pub const AUXILIARY_ARGS: &[Name] = {
 impl ArgumentList {
     /// A call with arguments beside or instead of assignments, of every variant.
     pub const fn direct(name: &'static str, args: &'static [Arg], source: &'static str) -> ArgumentList {
-        ArgumentList { style: Style::Direct, name, when: When::Always, base: 0, args, source }
+        ArgumentList { style: Style::Direct, name, when: When::Always, base: 0, args, published: &[], source }
     }
 
     /// This call with these arguments.
     pub const fn args(self, args: &'static [Arg]) -> ArgumentList {
         ArgumentList { args, ..self }
+    }
+
+    /// This call, of whose arguments these numbers are published.
+    pub const fn publishing(self, published: &'static [(&'static str, Published)]) -> ArgumentList {
+        ArgumentList { published, ..self }
     }
 
     /// This call with arguments among which selections make the variant: they add to this number.
@@ -101,6 +126,17 @@ impl ArgumentList {
     /// Which argument takes this parameter.
     pub fn position(&self, name: Name) -> Option<usize> {
         self.args.iter().position(|arg| arg.param() == Some(name))
+    }
+
+    /// The name under which a value of an argument is typed: of the parameter with its meaning, else its own.
+    pub fn typed_as(&self, argument: &'static str) -> Name {
+        let same = |arg: &&Arg| matches!(arg, Arg::Newer(name, _) if *name == argument);
+        self.args.iter().find(same).and_then(Arg::param).unwrap_or(Name::new(argument))
+    }
+
+    /// Whether it has an argument of this name.
+    pub fn has(&self, argument: &str) -> bool {
+        self.args.iter().any(|arg| matches!(arg, Arg::Newer(name, _) if *name == argument))
     }
 
     /// Whether this parameter is an argument or an element of one.

@@ -1,6 +1,7 @@
 //! Numbers whose digits are choices: `_MVAR`, `_PRNUM`, `_EVNUM`, and `_KNUM` by what it corrects.
 
 use super::fields::{Choice, Entry, Group};
+use crate::catalogue::newer::variant_key;
 use crate::check::{Target, newer, target};
 use crate::control::Control;
 use crate::entry::{ArgumentList, Cycle, DigitGroup, Inputs, Param};
@@ -20,7 +21,7 @@ pub fn variants(cycle: &Cycle) -> Vec<Choice> {
 /// The measuring variants of a cycle of which this list is known.
 pub fn known_variants(cycle: &'static Cycle, list: &ArgumentList) -> Vec<Choice> {
     let known = cycle.variants.iter().filter(|one| list.when.holds(&Inputs::new(cycle, one.number)));
-    known.map(|variant| Choice { value: variant.number, label: Message::new(variant.key) }).collect()
+    known.map(|one| Choice { value: one.number, label: Message::new(variant_key(one.key)) }).collect()
 }
 
 /// Groups of digits that have an effect with these inputs, with what they are in this number.

@@ -1,10 +1,9 @@
 //! The fields of a form, in the order in which they are shown.
 
 use super::{codes, masks, variant};
-use crate::catalogue::newer::arguments::Argument;
 use crate::check;
 use crate::control::Control;
-use crate::entry::{ArgumentList, Columns, Cycle, Inputs, Kind, Level, Param, Topic, Typed, Unit, factor, unit_name};
+use crate::entry::{Columns, Cycle, Inputs, Kind, Level, Param, Topic, Typed, factor, unit_name};
 use crate::manual::Cited;
 use crate::manual::explained::concept_of;
 use crate::message::Message;
@@ -170,83 +169,6 @@ fn field(param: &'static Param, inputs: &Inputs, typed: &Typed, control: &Contro
         concept: concept_of(param.name.as_str()).map(|concept| concept.id),
     })
 }
-
-/// The fields of what only the list of a newer control asks for; what is kept as written has one where it is written.
-pub(crate) fn of_list(list: &'static ArgumentList, typed: &Typed, control: &Control) -> Vec<Field> {
-    let written = |argument: &Argument| typed.get(argument.name).is_some_and(|text| !text.trim().is_empty());
-    let alone = |argument: &Argument| argument.param.is_none() && !argument.name.is_empty();
-    let all = Argument::all(list).filter(|one| alone(one) && (one.is_field() || written(one)));
-    all.map(|argument| argument_field(&argument, typed, control)).collect()
-}
-
-/// Gives the fields the numbers that the list has: the zero offsets of newer controls; of a call that is written in it
-/// also the variants of which it is known. Where nothing is published a number is typed as it is.
-pub(crate) fn take_numbers(list: &'static ArgumentList, cycle: &'static Cycle, written: bool, fields: &mut [Field]) {
-    for argument in Argument::all(list) {
-        let Some(field) = fields.iter_mut().find(|field| argument.param == Some(field.name)) else { continue };
-        let zero = field.code.is_some() && matches!(field.entry, Entry::Choice { .. });
-        let otherwise = if written { field.chooses || field.code.is_some() } else { zero };
-        if !otherwise {
-            continue;
-        }
-        field.code = None;
-        field.entry = match argument.is_open() {
-            true => Entry::Integer { range: Range::ANY },
-            false if field.chooses => Entry::Choice { choices: codes::known_variants(cycle, list) },
-            false => Entry::Choice { choices: codes::newer_zero_offsets() },
-        };
-    }
-}
-
-/// Says of each field which argument of the list it is.
-pub(crate) fn name_arguments(list: &'static ArgumentList, fields: &mut [Field]) {
-    for argument in Argument::all(list) {
-        let taken = |field: &&mut Field| argument.param == Some(field.name) || field.name == argument.name;
-        let Some(field) = fields.iter_mut().find(taken) else { continue };
-        let key = if argument.screen().is_empty() { "argument-shown" } else { "argument-shown-screen" };
-        let message = Message::new(key).number("place", argument.place as f64).text("name", argument.name);
-        field.argument = Some(message.text("screen", argument.screen()));
-    }
-}
-
-/// What an argument without counterpart takes.
-pub fn argument_entry(name: &str) -> Entry {
-    match name {
-        "S_MD" => Entry::Choice { choices: codes::choices(DIRECTIONS) },
-        _ => Entry::Real { range: Range::ANY },
-    }
-}
-
-fn argument_field(argument: &Argument, typed: &Typed, control: &Control) -> Field {
-    let meaning = argument.meaning();
-    let unit = match argument.name {
-        "S_STA1" => Unit::Degree,
-        "S_XM" | "S_YM" => Unit::ActiveLength,
-        _ => Unit::None,
-    };
-    Field {
-        name: Name::new(argument.name),
-        help: Message::new(format!("{meaning}-help")),
-        label: Message::new(meaning),
-        topic: Topic::List,
-        entry: argument_entry(argument.name),
-        value: typed.get(argument.name).cloned().unwrap_or_default(),
-        expression: None,
-        written: None,
-        chooses: false,
-        code: None,
-        fallback: None,
-        unit: unit_name(unit, control),
-        required: false,
-        reason: Message::new(if argument.is_open() { "argument-open" } else { "argument-values" }),
-        argument: None,
-        source: Cited(""),
-        concept: None,
-    }
-}
-
-/// Measuring directions in these lists.
-const DIRECTIONS: &[(i64, &str)] = &[(1, "argument-direction-plus"), (2, "argument-direction-minus")];
 
 /// Ranges of the catalogue are in mm and shown in the unit of the field.
 fn shown(range: Range, per: f64) -> Range {

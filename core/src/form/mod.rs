@@ -5,12 +5,18 @@ mod codes;
 mod draw;
 pub mod equipment;
 mod fields;
+mod listed;
 pub mod machine;
 mod masks;
 mod variant;
 
 pub use chain::{Bar, Chain, Limit, chain};
+pub use codes::known_variants;
 pub use draw::draw;
-pub use fields::{Choice, Entry, Field, Group, argument_entry, fields};
+pub use fields::{Choice, Entry, Field, Group, fields};
+pub use listed::{argument_entry, fields_of_call};
 #[cfg(feature = "json")]
-pub(crate) use fields::{fields_by, name_arguments, of_list, take_numbers};
+pub(crate) use {
+    fields::fields_by,
+    listed::{Listed, beside, name_arguments},
+};

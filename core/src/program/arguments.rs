@@ -38,7 +38,7 @@ pub(crate) fn only_newer(program: &Program, list: &'static ArgumentList, call: S
         let nothing = text.is_empty() || text == "\"\"" || text.parse() == Ok(0.0) || text == USUAL_MODE;
         let mode = matches!(argument.name, "_DMODE" | "_AMODE");
         let says = argument.param.is_none() && !(nothing && (mode || text != USUAL_MODE));
-        says.then_some((argument.name, text))
+        says.then_some((argument.key(), text))
     });
     said.collect()
 }
@@ -126,9 +126,9 @@ pub(super) fn given(
     let mut found = Vec::new();
     for (index, arg) in list.args.iter().enumerate() {
         let own = Argument::at(list, index);
-        if own.param.is_none() && !own.name.is_empty() {
+        if own.param.is_none() && !own.key().is_empty() {
             let value = arguments.get(index).cloned().flatten();
-            found.extend(value.map(|value| (Name::new(own.name), value)));
+            found.extend(value.map(|value| (Name::new(own.key()), value)));
         }
         let Some(name) = arg.param() else { continue };
         let omitted = || {

@@ -14,9 +14,12 @@ use super::lists::findings::of_call;
 use super::tools::{ToolInUse, Tools};
 use super::write::is_expression;
 use crate::catalogue::Functions;
+use crate::catalogue::newer::variant_title;
+use crate::check::{newer, variants};
 use crate::control::{Control, Plane, Transverse, UnitFunction, delivery};
 use crate::diagnostic::{Diagnostic, Span};
 use crate::entry::{ArgumentList, Cycle, Style, Typed};
+use crate::message::Message;
 use crate::name::Name;
 use crate::syntax::programs::programs;
 use crate::syntax::{BETWEEN, Program};
@@ -96,6 +99,20 @@ impl CallSite {
     /// The list of a newer control in which it is written.
     pub fn newer_list(&self) -> Option<&'static ArgumentList> {
         self.list.filter(|list| list.style == Style::Operate)
+    }
+
+    /// Number of its measuring variant on a control in the state of the call, where that is known.
+    pub fn variant(&self, control: &Control) -> Option<i64> {
+        let open = self.newer_list().is_some_and(|list| newer::is_open(self.cycle, list, &self.values, control));
+        variants::chosen(self.cycle, &self.values, control).filter(|_| !open)
+    }
+
+    /// What it is called on a control in its state: its variant, in a list by the words of lists; none: not known.
+    pub fn title(&self, control: &Control) -> Option<Message> {
+        let number = self.variant(control)?;
+        let key = self.cycle.variants.iter().find(|one| one.number == number)?.key;
+        let of_list = self.newer_list().and_then(|_| variant_title(key));
+        Some(of_list.unwrap_or_else(|| Message::new(key)))
     }
 
     /// A control with the plane and the units that are active at the call.

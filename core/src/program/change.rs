@@ -61,8 +61,12 @@ fn of_list(program: &Program, site: &CallSite, name: &str, value: &str) -> Vec<E
     edit.into_iter().collect()
 }
 
-/// Whether a new `_KNUM` would be a tool target in the list of a newer control, where it has an argument of its own.
+/// Whether a new `_KNUM` would be a tool target in the list of a newer control, where it has an argument of its own. A
+/// number of a zero offset is none: that this variant corrects none is told at its field.
 fn takes_no_tool(program: &Program, site: &CallSite, value: &str) -> bool {
+    if matches!(parse(value), Parsed::Number(number) if newer::is_newer_zero(number)) {
+        return false;
+    }
     let mut values = site.values.clone();
     values.insert(names::KNUM.to_string(), value.to_owned());
     site.newer_list().is_some() && newer::has_tool_target(site.cycle, &values, &delivery(program.dialect))

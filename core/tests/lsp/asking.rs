@@ -93,6 +93,35 @@ fn hovering_explains_an_argument_of_a_newer_list() {
     }
 }
 
+// oracle: peer (published lists: argument 2 takes zero offsets, hundreds 0 of argument 1 only measures; the digits of
+// CYCLE979 and of the hundred-thousands of CYCLE998 are not published)
+#[test]
+fn a_list_is_not_explained_as_a_call_of_the_older_control() {
+    const LISTS: &str =
+        "G17 G54 T9 D1 M6\nCYCLE979(1,1001,,1,50)\nCYCLE977(1,,,1,50,,,2,5)\nCYCLE998(100105,1,,1,1,0,,10)\nM30\n";
+    let mut client = Client::english();
+    client.open(URI, LISTS);
+    for (word, into, said) in [
+        ("CYCLE977(1", 3, "**CYCLE977 1: Hole: measure only**"),
+        ("CYCLE979(1", 3, "Argument list of CYCLE979"),
+        ("(1,,,1", 1, "Hole: measure only"),
+    ] {
+        let told = client.at("textDocument/hover", URI, LISTS, word, into);
+        let text = told["contents"]["value"].as_str().unwrap_or_default();
+        assert!(text.contains(said), "{word} {into}: {text}");
+    }
+    for (word, into) in [("(1,1001", 1), ("1001,", 1), ("(1,,,1", 1), ("(100105", 2), ("CYCLE979", 1)] {
+        let told = client.at("textDocument/hover", URI, LISTS, word, into);
+        let text = told["contents"]["value"].as_str().unwrap_or_default();
+        for older in ["D number", "Tool offset", "1: Hole\n", "along the axis", "correct a tool"] {
+            assert!(!text.is_empty() && !text.contains(older), "{word} {into}: {text}");
+        }
+    }
+    let outline = client.ask("textDocument/documentSymbol", json!({ "textDocument": { "uri": URI } }));
+    let details: Vec<&str> = outline.as_array().unwrap().iter().filter_map(|one| one["detail"].as_str()).collect();
+    assert_eq!(details, ["Hole, shaft, groove, web at an angle", "Hole: measure only", "Angle of a surface"]);
+}
+
 // oracle: hand
 #[test]
 fn words_are_in_the_language_of_the_client() {

@@ -61,6 +61,49 @@ fn write_takes_the_arguments_of_newer_controls_by_name() {
     }
 }
 
+// oracle: peer (newer controls take lists); hand (a style that is asked for is written, and told)
+#[test]
+fn write_follows_the_generation_of_the_machine() {
+    let machine = |generation: &str| {
+        let data = format!("\"data\": {{ \"PW-GENERATION\": {generation}, ");
+        let setup = include_str!("../../../docs/setup.example.json");
+        file(&format!("generation{generation}.json"), setup.replacen("\"data\": {", &data, 1).as_bytes())
+    };
+    let values = ["_MVAR=101", "_SETVAL=50", "_KNUM=1"];
+    let write = |cycle: &str, generation: &str, style: &[&str]| {
+        let machine = machine(generation);
+        probewright(&[&["write", cycle, "--setup", &machine], style, &values[..]].concat())
+    };
+    let list = write("CYCLE977", "3", &[]);
+    assert!(out(&list).starts_with("CYCLE977(101,1,,1,50,"), "{}{}", out(&list), err(&list));
+    for (generation, style, told) in [
+        ("1", &[][..], ""),
+        ("2", &[], ""),
+        ("3", &["--style", "direct"], "PW197"),
+        ("1", &["--style", "operate"], "PW197"),
+    ] {
+        let output = write("CYCLE977", generation, style);
+        assert_eq!(out(&output).contains("CYCLE977("), style.contains(&"operate"), "{generation} {style:?}");
+        assert_eq!(err(&output).contains("PW197"), told == "PW197", "{generation} {style:?} {}", err(&output));
+    }
+    let corner = probewright(&["write", "CYCLE961", "--setup", &machine("3"), "_MVAR=105", "_KNUM=1"]);
+    assert!(err(&corner).contains("PW231"), "{}", err(&corner));
+}
+
+// oracle: peer (the published lists of CYCLE995 and CYCLE996)
+#[test]
+fn read_lists_calls_that_have_no_form() {
+    let text = b"CYCLE996(1,,1,24.99)\nCYCLE977(101,1,,1,50,,,2,5)\nCYCLE150(1,,2,,3)\n";
+    let told = out(&probewright(&["read", &file("alone.mpf", text)]));
+    let lines: Vec<&str> = told.lines().filter(|line| !line.starts_with(' ')).collect();
+    assert_eq!(lines.len(), 3, "{told}");
+    assert!(
+        lines[0].contains(":1: CYCLE996: Measures the kinematics") && lines[2].contains(":3: CYCLE150: "),
+        "{told}"
+    );
+    assert!(told.contains("    S_MVAR=1\n    S_PRNUM=1\n    S_SETV=24.99\n"), "{told}");
+}
+
 // oracle: issue text
 #[test]
 fn check_names_file_line_and_column() {

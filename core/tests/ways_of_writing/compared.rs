@@ -91,7 +91,7 @@ fn what_a_conversion_names_is_what_differs() {
 // oracle: hand (an argument without a parameter on the older control)
 #[test]
 fn arguments_of_newer_controls_are_named_as_lost() {
-    let text = "CYCLE977(1,0,,1,132,,,2,1,,,,,,1,\"T7\",,0.01,0.06,0.03,-0.03,0.02,3,,,,7)\n";
+    let text = "CYCLE977(1,0,,1,132,,,2,1,7,,,,,1,\"T7\",,0.01,0.06,0.03,-0.03,0.02,3)\n";
     let program = read(Dialect::Sinumerik, text.as_bytes());
     let done = convert(&program, 0, Style::Direct, &delivery(Dialect::Sinumerik));
     let lost = done.values.iter().filter(|one| one.after.is_none());

@@ -75,7 +75,7 @@ fn a_hole_in_the_list_of_newer_controls() {
         ("_TZL", "0.01"),
     ]);
     let written = written("CYCLE977", &values, Style::Operate);
-    assert_eq!(written.text, "CYCLE977(1,0,,1,132,,,2,1,,,,,,1,\"\",,0.01,0.06,0.03,-0.03,0.02,3,0,,1,1)\n");
+    assert_eq!(written.text, "CYCLE977(1,0,,1,132,,,2,1,,,,,,1,\"\",,0.01,0.06,0.03,-0.03,0.02,3,,,1,1)\n");
     let lost: Vec<&str> = written.findings.iter().map(|found| &*found.message.key).collect();
     assert_eq!(lost, ["write-lost"], "_VMS has no place there");
 }

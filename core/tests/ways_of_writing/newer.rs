@@ -80,6 +80,65 @@ fn argument_1_of_each_list_is_the_variant() {
     }
 }
 
+// oracle: peer (a generator of machine users asks for a probing angle from -359 to 359; published programs have 1 in
+// _DMODE, 1 or 11 in _AMODE, 102, 103 and 201 in S_MA of CYCLE998, 1 and 2 in S_MD)
+#[test]
+fn a_number_that_no_program_has_is_told() {
+    let hole = |angle: &str, plane: &str, mode: &str, centre: &str| {
+        format!("CYCLE977(101,1,,1,50,,,2,5,{angle},,,,,1,,,,,,,,,,,{plane},{mode},{centre})\nM30\n")
+    };
+    let angle = |axis: &str, side: &str| format!("CYCLE998(105,1,,1,1,0,,10,5,{axis},{side},20)\nM30\n");
+    let open = [(Severity::Note, "newer-open".to_owned())];
+    for known in
+        [hole("359", "1", "1", ","), hole("-359", "", "", ","), hole("", "0", "11", "-3,15"), angle("201", "1")]
+    {
+        assert_eq!(of_calls(&known), [], "{known}");
+    }
+    for other in [
+        hole("360", "1", "1", ","),
+        hole("400", "1", "1", ","),
+        hole("-359.5", "1", "1", ","),
+        hole("", "9", "1", ","),
+        hole("", "1", "7", ","),
+        angle("301", "1"),
+        angle("102", "7"),
+    ] {
+        assert_eq!(of_calls(&other), open, "{other}");
+    }
+    let (same, why) = converted(&angle("301", "1"), 0, Style::Direct);
+    assert_eq!((same, why), (angle("301", "1"), vec!["convert-newer".to_owned()]));
+    for (centre, mode, key) in [(",", "11", "newer-centre-missing"), ("-3,", "1", "newer-centre-unused")] {
+        assert_eq!(of_calls(&hole("", "1", mode, centre)), [(Severity::Warning, key.to_owned())]);
+    }
+    assert_eq!(of_calls(&hole("", "1", "1", "0,0")), [], "that is the place where the probe starts");
+}
+
+// oracle: peer (newer controls name CYCLE116 and CYCLE119 among their measuring cycles, and no list of theirs is
+// published); manual B:2422 (the older control takes variables)
+#[test]
+fn a_list_that_is_not_published_is_not_held_against_the_older_control() {
+    for call in ["CYCLE116(1,2)", "CYCLE119(1)"] {
+        let text = format!("{call}\nM30\n");
+        assert_eq!(of_calls(&text), [(Severity::Warning, "newer-no-list".to_owned())], "{call}");
+    }
+    let variables = "DEF INT _ALM\n_ALM=0\nCYCLE116(_DATE,_ALM)\nM30\n";
+    assert!(of_calls(variables).iter().all(|(_, key)| key != "newer-no-list"), "{variables}");
+}
+
+// oracle: peer (the published lists of CYCLE971 and CYCLE982 end with an argument without a name)
+#[test]
+fn an_argument_without_a_name_is_told_and_changed_by_its_place() {
+    for (name, commas, place) in [("CYCLE971", 22, "23"), ("CYCLE982", 18, "19")] {
+        let text = format!("{name}(1{}7)\nM30\n", ",".repeat(commas));
+        let site = &sites(&text)[0];
+        assert_eq!(site.values[place], "7");
+        let program = read(Dialect::Sinumerik, text.as_bytes());
+        let edits = change(&program, site, place, "8");
+        let changed = probewright_core::program::change::apply(text.as_bytes(), &edits);
+        assert_eq!(String::from_utf8(changed).unwrap(), text.replace("7)", "8)"));
+    }
+}
+
 // oracle: peer (61328 on a newer control asks to check S_KNUM1, argument 3; argument 2 is the number of a zero offset)
 #[test]
 fn a_tool_target_is_never_written_into_argument_2() {
@@ -97,6 +156,7 @@ fn a_tool_target_is_never_written_into_argument_2() {
         let site = &sites(&measured)[0];
         let program = read(Dialect::Sinumerik, measured.as_bytes());
         assert_eq!(change(&program, site, "_KNUM", "2001"), [], "{measured}");
+        assert_ne!(change(&program, site, "_KNUM", "10001"), [], "a zero offset is written, and told: {measured}");
         let direct = format!("{}{name}\n", assigned(cycle(name).example()));
         let (same, why) = converted(&direct, 0, Style::Operate);
         assert_eq!((same, why), (direct, vec!["write-newer-tool".to_owned()]));

@@ -185,8 +185,9 @@ fn changed(text: &str, change: &Value) -> String {
     let mut text = text.to_owned();
     for step in change["steps"].as_array().into_iter().flatten() {
         let mut edits: Vec<&Value> = step.as_array().into_iter().flatten().collect();
-        edits.sort_by_key(|edit| std::cmp::Reverse(edit["from"].as_u64()));
-        for edit in edits {
+        // what is inserted where another edit begins stands before it
+        edits.sort_by_key(|edit| (edit["from"].as_u64(), edit["to"].as_u64()));
+        for edit in edits.into_iter().rev() {
             let place = |name: &str| edit[name].as_u64().map_or(0, |at| at as usize).min(text.len());
             text.replace_range(place("from")..place("to"), edit["insert"].as_str().unwrap_or_default());
         }

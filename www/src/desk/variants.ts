@@ -1,6 +1,7 @@
 // Variants of a cycle, with the addresses that they have in a plane.
 
-import type { CycleInfo, Plane } from "../wire";
+import { say, t } from "../texts";
+import type { CycleInfo, FormView, Plane } from "../wire";
 import type { Derived } from "./derive";
 
 export type Variant = CycleInfo["variants"][number];
@@ -8,6 +9,12 @@ export type Variant = CycleInfo["variants"][number];
 /** The variant that the typed values choose. */
 export function variantOf({ cycle, view }: Derived): Variant | undefined {
   return cycle.variants.find(one => one.mvar === view.mvar);
+}
+
+/** What a call is called: by its list, by its variant, by its cycle. */
+export function titleOf(cycle: CycleInfo, { title, mvar }: Pick<FormView, "title" | "mvar">): string {
+  if (title) return say(title);
+  return t(cycle.variants.find(one => one.mvar === mvar)?.key ?? `${cycle.key}-title`);
 }
 
 /** A variant with the addresses that it has in this plane. */

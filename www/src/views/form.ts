@@ -3,7 +3,7 @@
 import type { Actions } from "../desk/actions";
 import type { Derived } from "../desk/derive";
 import { replacing } from "../desk/typing";
-import { type Variant, variantOf } from "../desk/variants";
+import { titleOf, type Variant, variantOf } from "../desk/variants";
 import { el, on, setAttribute, setText, show } from "../dom";
 import { meantBy } from "../keys";
 import { inFocus, type Reset, type State } from "../state/state";
@@ -227,7 +227,7 @@ export function createForm(
   return (state, derived) => {
     const { view, cycle } = derived;
     chosen = variantOf(derived);
-    setText(title, t(chosen?.key ?? `${cycle.key}-title`));
+    setText(title, titleOf(cycle, view));
     setText(chip, chosen ? `${cycle.cycle} · ${chosen.mvar}` : cycle.cycle);
     setAttribute(chip, "title", t("form-variant-open"));
     setAttribute(help, "aria-expanded", String(state.panels.right === "help"));

@@ -4,7 +4,7 @@
 import type { ProgramCore } from "../core/program";
 import type { Actions } from "../desk/actions";
 import type { Derived } from "../desk/derive";
-import { variantOf } from "../desk/variants";
+import { titleOf, variantOf } from "../desk/variants";
 import { el, on, setText, show } from "../dom";
 import { glossed } from "../glossary";
 import { meantBy } from "../keys";
@@ -62,7 +62,7 @@ export function createHelp(
 
   let drawn = "";
   return (state, derived) => {
-    const { cycle } = derived;
+    const { cycle, view: form } = derived;
     if (state.panels.right !== "help") {
       failed = false; // opened again, it tries again
       return;
@@ -70,15 +70,15 @@ export function createHelp(
     if (!hasHelp() && !failed) fetchWords();
     const variant = variantOf(derived);
     const from = hasHelp() ? core() : null;
-    setText(title, t("help-title", { cycle: cycle.cycle, name: t(variant?.key ?? `${cycle.key}-title`) }));
+    setText(title, t("help-title", { cycle: cycle.cycle, name: titleOf(cycle, form) }));
     setText(note, failed ? t("help-absent") : !from ? t("help-coming") : variant ? "" : t("help-no-variant"));
     show(note, !from || !variant);
     show(page, !!from && !!variant);
     if (!from || !variant) return;
-    const what = `${cycle.control}/${cycle.cycle}/${variant.mvar}`;
+    const what = `${cycle.control}/${cycle.cycle}/${variant.mvar}/${form.preset}`;
     if (what === drawn) return;
     drawn = what;
-    const view = from.help({ control: cycle.control, cycle: cycle.cycle, mvar: variant.mvar });
+    const view = from.help({ control: cycle.control, cycle: cycle.cycle, mvar: variant.mvar, style: form.preset });
     page.replaceChildren(...fill(view, goTo));
     page.parentElement?.scrollTo({ top: 0 });
   };
@@ -95,8 +95,12 @@ function marked(text: string, seen: Set<string>): (string | HTMLElement)[] {
  * Headings and lines; the values stand with where the probe is before the call, the results with what is corrected, the
  * alarms at the end.
  */
-function fill({ sections, required, results, alarms, places }: HelpView, goTo: (name: string) => void): HTMLElement[] {
+function fill(
+  { note, sections, required, results, alarms, places }: HelpView,
+  goTo: (name: string) => void,
+): HTMLElement[] {
   const seen = new Set<string>();
+  const older = note ? [el("p", { class: "help-older" }, ...marked(say(note), seen))] : [];
   const parts = sections.map(({ label, lines }) =>
     el(
       "section",
@@ -141,6 +145,7 @@ function fill({ sections, required, results, alarms, places }: HelpView, goTo: (
     ...places.map(({ message, source }) => el("p", {}, ...marked(say(message), seen), " ", el("small", {}, source))),
   );
   return [
+    ...older,
     ...parts.slice(0, 2),
     ...(required.length ? [values] : []),
     ...parts.slice(2, 4),

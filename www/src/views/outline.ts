@@ -110,7 +110,7 @@ export function createOutline(
           place,
           index,
           state: derived.states[index] ?? "ok",
-          says: key ? t(key) : t("call-variant-unknown"),
+          says: call.title ? say(call.title) : key ? t(key) : t("call-variant-unknown"),
           open: state.form.open === call.from,
         };
       });

@@ -5,6 +5,7 @@ import type { Formed } from "../core/core";
 import type { ProgramCore } from "../core/program";
 import type { SceneData } from "../core/scene";
 import { type Derived, findCycle } from "../desk/derive";
+import { titleOf } from "../desk/variants";
 import { el } from "../dom";
 import type { Still } from "../preview/still";
 import { programMachine, type State } from "../state/state";
@@ -119,7 +120,7 @@ function sheetOf(printed: Printed, head: HTMLElement, draw: Draw, fine: HTMLElem
     "section",
     { class: "paper-sheet" },
     head,
-    el("h2", {}, t(variant?.key ?? `${cycle.key}-title`), " ", el("small", {}, `${code}${place}`)),
+    el("h2", {}, titleOf(cycle, view), " ", el("small", {}, `${code}${place}`)),
     pictures(printed, draw, fine),
     !!view.outcome?.answer && resultOf(view.outcome.answer),
     view.snippet !== "" && el("pre", {}, callText(view.snippet, cycle)),

@@ -7,6 +7,7 @@ use probewright_core::control::{Control as State, delivery::delivery};
 use probewright_core::message::{Arg, Message, printable};
 use probewright_core::program::around;
 use probewright_core::program::calls::{CallSite, calls_on};
+use probewright_core::program::others::{Other, others};
 use probewright_core::program::user_programs::UserPrograms;
 use probewright_core::syntax::{self, Program};
 use probewright_core::words::Words;
@@ -48,7 +49,12 @@ pub fn read(asked: &Arguments, words: &Words, out: &mut dyn Write) -> Result<Exi
         return Ok(ExitCode::SUCCESS);
     }
     let around = UserPrograms::of(&program);
+    let mut alone: Vec<Other> = others(&program).collect();
     for call in calls_on(&program, control.clone()) {
+        let behind = alone.split_off(alone.partition_point(|one| one.span.start < call.span.start));
+        for one in std::mem::replace(&mut alone, behind) {
+            without_form(&one, &program, &joined, words, out)?;
+        }
         let (path, last) = joined.line(call.line);
         let (_, first) = joined.line(call.first_line);
         writeln!(out, "{}:{}-{}: {}", path.display(), first + 1, last + 1, call.cycle.name)?;
@@ -62,7 +68,26 @@ pub fn read(asked: &Arguments, words: &Words, out: &mut dyn Write) -> Result<Exi
             writeln!(out, "    {note}")?;
         }
     }
+    for one in alone {
+        without_form(&one, &program, &joined, words, out)?;
+    }
     Ok(ExitCode::SUCCESS)
+}
+
+/// A call of a cycle that has no form: what it does, and its arguments by their published names.
+fn without_form(
+    one: &Other,
+    program: &Program,
+    joined: &Joined,
+    words: &Words,
+    out: &mut dyn Write,
+) -> Result<(), Problem> {
+    let (path, line) = joined.line(program.line_of(one.span.start));
+    writeln!(out, "{}:{}: {}: {}", path.display(), line + 1, one.name, words.text(&one.title))?;
+    for (name, value) in &one.arguments {
+        writeln!(out, "    {name}={}", printable(value))?;
+    }
+    Ok(())
 }
 
 /// What stands around a call and is known as a block: its title, and its values.

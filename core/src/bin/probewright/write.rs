@@ -14,7 +14,7 @@ use probewright_core::machine::setup::Setup;
 use probewright_core::message::Message;
 use probewright_core::program::around::{self, Block, Lines, absent, blocks, problem};
 use probewright_core::program::lists::without_form;
-use probewright_core::program::write::snippet;
+use probewright_core::program::write::{is_listed_on, other_generation, snippet};
 use probewright_core::words::Words;
 use probewright_core::{catalogue, check};
 use std::collections::BTreeMap;
@@ -31,8 +31,8 @@ pub struct Arguments {
     setup: Option<PathBuf>,
     #[arg(long)]
     comments: bool,
-    #[arg(long, default_value = "direct", hide_default_value = true, value_parser = ["direct", "indirect", "operate"])]
-    style: String,
+    #[arg(long, value_parser = ["direct", "indirect", "operate"])]
+    style: Option<String>,
     #[arg(long)]
     around: Vec<String>,
 }
@@ -43,10 +43,15 @@ pub fn write(asked: &Arguments, words: &Words, out: &mut dyn Write) -> Result<Ex
         write!(out, "{text}")?;
         return Ok(ExitCode::SUCCESS);
     }
-    let style: Style = serde_json::from_value(asked.style.as_str().into())?;
     let machine = asked.setup.as_ref().map(|path| file::setup(path, false, words, out)).transpose()?;
     let cycle = machine.as_ref().map_or_else(|| find(&asked.cycle), |setup| find_on(&setup.control, &asked.cycle))?;
+    let style: Style = match (&asked.style, &machine) {
+        (Some(style), _) => serde_json::from_value(style.as_str().into())?,
+        (None, Some(setup)) if is_listed_on(cycle, &setup.control) => Style::Operate,
+        (None, _) => Style::Direct,
+    };
     let list = cycle.lists.iter().find(|list| style == Style::Operate && list.style == style);
+    let other = machine.as_ref().and_then(|setup| other_generation(cycle, style, &setup.control));
     let typed = typed(cycle, list, &asked.values)?;
     let plane = cycle.purpose.machine.plane().unwrap_or(Plane::G17);
     let mut control = machine.unwrap_or_else(|| Setup::for_cycle(cycle, plane)).control;
@@ -60,7 +65,7 @@ pub fn write(asked: &Arguments, words: &Words, out: &mut dyn Write) -> Result<Ex
     let label = |_: &str, key: &str| words.key(key.to_owned());
     let comments = asked.comments.then_some(&label as &dyn Fn(&str, &str) -> String);
     let written = snippet(cycle, &typed, &control, style, comments);
-    let mut findings = checked.diagnostics.iter().chain(&written.findings);
+    let mut findings = checked.diagnostics.iter().chain(&written.findings).chain(&other);
     for finding in findings.clone() {
         complain(&one_line(finding, words));
     }

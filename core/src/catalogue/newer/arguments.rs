@@ -2,7 +2,7 @@
 //! the older control, and how that is known.
 
 use crate::catalogue::CYCLES;
-use crate::entry::{Arg, ArgumentList, Inputs, Param};
+use crate::entry::{Arg, ArgumentList, Inputs, Param, Style};
 use crate::message::Message;
 use crate::name::Name;
 use std::collections::BTreeSet;
@@ -185,6 +185,18 @@ impl Argument {
         (0..list.args.len()).map(move |index| Argument::at(list, index))
     }
 
+    /// Under which name its value is told and changed: its own, else its place.
+    pub fn key(&self) -> &'static str {
+        match (self.name, self.place) {
+            _ if self.list.style != Style::Operate => "",
+            ("", 2) => "2",
+            ("", 4) => "4",
+            ("", 19) => "19",
+            ("", 23) => "23",
+            (name, _) => name,
+        }
+    }
+
     /// Its name on the screen; empty: not known.
     pub fn screen(&self) -> &'static str {
         self.known.screen
@@ -291,6 +303,24 @@ mod tests {
             assert!(lists.any(has), "{} {}", known.name, known.list);
             let same = ARGUMENTS.iter().filter(|one| one.name == known.name && one.list == known.list);
             assert_eq!(same.count(), 1, "{}", known.name);
+        }
+    }
+
+    // oracle: self (a value without a name could be neither told nor changed)
+    #[test]
+    fn each_argument_has_a_name_or_its_place() {
+        for argument in LISTS.iter().flat_map(Argument::all) {
+            let own = if argument.name.is_empty() { argument.place.to_string() } else { argument.name.to_owned() };
+            assert_eq!(argument.key(), own, "{}", argument.list.name);
+        }
+    }
+
+    // oracle: self (what is published is told of an argument that the list has)
+    #[test]
+    fn numbers_are_published_of_arguments_of_the_list() {
+        for list in &LISTS {
+            assert!(list.published.iter().all(|(name, _)| list.has(name)), "{}", list.name);
+            assert_eq!(list.published.is_empty(), !list.is_written(), "{}", list.name);
         }
     }
 

@@ -9,12 +9,26 @@ pub mod alarms;
 pub mod arguments;
 
 use crate::catalogue::prelude::*;
+use crate::entry::Published;
 use crate::entry::names::*;
+use std::borrow::Cow;
 
 /// What the cycle of a list does, where the older control does not have it: else its entry says it.
 pub fn title(list: &ArgumentList) -> Option<Message> {
     let alone = super::CYCLES.iter().all(|cycle| cycle.name != list.name);
     alone.then(|| Message::new(format!("newer-{}", list.name.to_ascii_lowercase())))
+}
+
+/// Key of what a variant is called in a list: one that corrects a tool on the older control only measures there.
+/// Argument 2 takes zero offsets alone, and the digits of `S_KNUM1` are not published.
+pub fn variant_key(key: &'static str) -> Cow<'static, str> {
+    key.strip_suffix("-tool").map_or(key.into(), |stem| format!("{stem}-measured").into())
+}
+
+/// What a call in a list is called, where that is not the name of the variant.
+pub fn variant_title(key: &'static str) -> Option<Message> {
+    let own = variant_key(key);
+    (own != key).then(|| Message::new(own))
 }
 
 /// An argument that means what a parameter of the older control means.
@@ -95,9 +109,16 @@ const ELEMENTS: When = When::Variant(&[
     1106,
 ]);
 
+/// Numbers of the arguments that every published program of the lists that are written has: 1 in `_DMODE`, 1 in
+/// `_AMODE`, or 11 where the centre is given; an omitted one is 0.
+const PLANE: (&str, Published) = ("_DMODE", Published::OneOf(&[0.0, 1.0]));
+const MODE: (&str, Published) = ("_AMODE", Published::OneOf(&[0.0, 1.0, 11.0]));
+/// Directions of two independent machine users.
+const DIRECTIONS: (&str, Published) = ("S_MD", Published::OneOf(&[1.0, 2.0]));
+
 const fn list(name: &'static str, when: When) -> ArgumentList {
     let source = "practice: published lists and generated programs of newer controls";
-    ArgumentList { style: Style::Operate, name, when, base: 0, args: &[], source }
+    ArgumentList { style: Style::Operate, name, when, base: 0, args: &[], published: &[], source }
 }
 
 /// Every list, in the order of the numbers. The last four have no counterpart among the cycles of the older control.
@@ -162,44 +183,49 @@ pub const CYCLE976: ArgumentList = list("CYCLE976", NEVER).args(&[
 ]);
 
 /// CYCLE977. The older control has no probing angle (`S_STA1`) here.
-pub const CYCLE977: ArgumentList = list("CYCLE977", ELEMENTS).args(&[
-    S_MVAR,
-    S_KNUM,
-    S_KNUM1,
-    S_PRNUM,
-    S_SETV,
-    S_SETV0,
-    S_SETV1,
-    S_FA,
-    S_TSA,
-    alone("S_STA1"),
-    S_ID,
-    S_SZA,
-    S_SZO,
-    S_MA,
-    S_NMSP,
-    S_TNAME,
-    S_DLNUM,
-    S_TZL,
-    S_TDIF,
-    S_TUL,
-    S_TLL,
-    S_TMV,
-    S_K,
-    S_EVNUM,
-    S_MCBIT,
-    DMODE,
-    AMODE,
-    S_XM,
-    S_YM,
-    DP,
-]);
+pub const CYCLE977: ArgumentList = list("CYCLE977", ELEMENTS)
+    .args(&[
+        S_MVAR,
+        S_KNUM,
+        S_KNUM1,
+        S_PRNUM,
+        S_SETV,
+        S_SETV0,
+        S_SETV1,
+        S_FA,
+        S_TSA,
+        alone("S_STA1"),
+        S_ID,
+        S_SZA,
+        S_SZO,
+        S_MA,
+        S_NMSP,
+        S_TNAME,
+        S_DLNUM,
+        S_TZL,
+        S_TDIF,
+        S_TUL,
+        S_TLL,
+        S_TMV,
+        S_K,
+        S_EVNUM,
+        S_MCBIT,
+        DMODE,
+        AMODE,
+        S_XM,
+        S_YM,
+        DP,
+    ])
+    // a generator of machine users asks for a probing angle from -359 to 359
+    .publishing(&[PLANE, MODE, ("S_STA1", Published::Within(-359.0, 359.0))]);
 
 /// CYCLE978. Programs leave out the measuring direction too; here the side on which the probe stands tells it.
-pub const CYCLE978: ArgumentList = list("CYCLE978", When::Variant(&[0, 100])).args(&[
-    S_MVAR, S_KNUM, S_KNUM1, S_PRNUM, S_SETV, S_FA, S_TSA, S_MA, S_MD, S_NMSP, S_TNAME, S_DLNUM, S_TZL, S_TDIF, S_TUL,
-    S_TLL, S_TMV, S_K, S_EVNUM, S_MCBIT, DMODE, AMODE, DP,
-]);
+pub const CYCLE978: ArgumentList = list("CYCLE978", When::Variant(&[0, 100]))
+    .args(&[
+        S_MVAR, S_KNUM, S_KNUM1, S_PRNUM, S_SETV, S_FA, S_TSA, S_MA, S_MD, S_NMSP, S_TNAME, S_DLNUM, S_TZL, S_TDIF,
+        S_TUL, S_TLL, S_TMV, S_K, S_EVNUM, S_MCBIT, DMODE, AMODE, DP,
+    ])
+    .publishing(&[PLANE, MODE, DIRECTIONS]);
 
 pub const CYCLE979: ArgumentList = list("CYCLE979", NEVER).args(&[
     S_MVAR, S_KNUM, S_KNUM1, S_PRNUM, S_SETV, S_FA, S_TSA, S_CPA, S_CPO, S_STA1, S_INCA, S_NMSP, S_TNAME, S_DLNUM,
@@ -239,28 +265,30 @@ pub const CYCLE997: ArgumentList = list("CYCLE997", NEVER).args(&[
 ]);
 
 /// CYCLE998, of which only one angle with positioning at an angle is known.
-pub const CYCLE998: ArgumentList = list("CYCLE998", When::Variant(&[105])).args(&[
-    S_MVAR,
-    S_KNUM,
-    S_RA,
-    S_PRNUM,
-    S_SETV,
-    S_STA1,
-    S_INCA,
-    S_FA,
-    S_TSA,
-    S_MA,
-    S_MD,
-    S_ID,
-    S_SETV0,
-    alone("S_SETV1"),
-    alone("S_SETV2"),
-    alone("S_SETV3"),
-    S_NMSP,
-    S_EVNUM,
-    DMODE,
-    AMODE,
-]);
+pub const CYCLE998: ArgumentList = list("CYCLE998", When::Variant(&[105]))
+    .args(&[
+        S_MVAR,
+        S_KNUM,
+        S_RA,
+        S_PRNUM,
+        S_SETV,
+        S_STA1,
+        S_INCA,
+        S_FA,
+        S_TSA,
+        S_MA,
+        S_MD,
+        S_ID,
+        S_SETV0,
+        alone("S_SETV1"),
+        alone("S_SETV2"),
+        alone("S_SETV3"),
+        S_NMSP,
+        S_EVNUM,
+        DMODE,
+        AMODE,
+    ])
+    .publishing(&[PLANE, MODE, DIRECTIONS, ("S_MA", Published::OneOf(&[102.0, 103.0, 201.0]))]);
 
 /// CYCLE150 shows the results on a screen and writes the log. Two places of the published list have no name.
 pub const CYCLE150: ArgumentList =

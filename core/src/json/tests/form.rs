@@ -196,6 +196,53 @@ fn a_call_in_a_list_has_the_numbers_of_that_list() {
     }
 }
 
+// oracle: peer (the published list of CYCLE977: no argument for _VMS and _TNUM; argument 2 takes zero offsets, hundreds
+// 0 of argument 1 measures only, argument 4 is a probe from 1 to 12; an omitted argument is 0)
+#[test]
+fn a_form_in_a_list_says_what_the_list_says() {
+    let ask = |written: bool, values: Value| {
+        let mut request = json!({ "control": "sinumerik", "cycle": "CYCLE977", "values": values });
+        match written {
+            true => request["written"] = "operate".into(),
+            false => {
+                request["setup"] = json!({ "control": "sinumerik", "probe": { "radius": 3, "length": 50 },
+                    "data": { "PW-GENERATION": 3 } });
+            }
+        }
+        form(&request.to_string()).unwrap()
+    };
+    let field = |view: &Value, name: &str| {
+        view["fields"].as_array().unwrap().iter().find(|one| one["name"] == name).cloned().unwrap_or_default()
+    };
+    for written in [true, false] {
+        let view = ask(written, json!({ "_MVAR": "1", "_SETVAL": "50" }));
+        assert_eq!(view["title"]["key"], "cycle977-hole-measured");
+        assert_eq!(view["complete"], true, "{}", view["diagnostics"]);
+        assert!(["_VMS", "_TNUM", "_TNAME"].iter().all(|name| field(&view, name)["topic"] != "tool"), "{view}");
+        assert_eq!((&field(&view, "_VMS"), &field(&view, "_TNUM")), (&Value::Null, &Value::Null));
+        assert_eq!(field(&view, "_KNUM")["label"]["key"], "argument-zero");
+        assert_eq!(field(&view, "_PRNUM")["kind"], "integer");
+        assert_eq!(field(&view, "_PRNUM")["range"]["max"], 12.0);
+        let reason = if written { "need-omitted" } else { "need-listed" };
+        assert_eq!(field(&view, "_TSA")["reason"]["key"], reason);
+        assert_eq!(field(&view, "_TMV")["reason"]["key"], "need-omitted", "it belongs to a correction");
+        let zero = ask(written, json!({ "_MVAR": "101", "_SETVAL": "50", "_KNUM": "1" }));
+        assert_eq!(zero["title"], Value::Null, "the name of the variant fits");
+        let limit = if written { "_TUL" } else { "S_TUL" };
+        assert_eq!(field(&zero, limit)["topic"], "list", "{limit}");
+    }
+    let text = |values: Value| ask(false, values)["snippet"].as_str().unwrap().to_owned();
+    let with_own = json!({ "_MVAR": "101", "_SETVAL": "50", "_KNUM": "1", "S_TUL": "0.3", "S_TNAME": "MILL" });
+    assert!(text(with_own).contains(",1,\"MILL\",,0,,0.3,"), "a value of the list's own section is written");
+    let measured = text(json!({ "_MVAR": "1", "_SETVAL": "50", "_TUL": "0.1", "_TLL": "-0.1" }));
+    assert!(measured.starts_with("CYCLE977(1,,,1,50,") && measured.ends_with("0.1,-0.1,,,,,1,1)\n"), "{measured}");
+    // what the list has no place for is kept and told at its field
+    let lost = ask(false, json!({ "_MVAR": "101", "_SETVAL": "50", "_KNUM": "1", "_VMS": "200" }));
+    let told = lost["diagnostics"].as_array().unwrap().iter().find(|one| one["param"] == "_VMS").cloned();
+    assert_eq!(told.unwrap()["message"]["key"], "write-lost");
+    assert_eq!(field(&lost, "_VMS")["value"], "200");
+}
+
 // oracle: hand (a machine of generation 3 takes lists; the digits of CYCLE961's are not published)
 #[test]
 fn a_cycle_without_list_says_why_it_is_assigned() {

@@ -4,7 +4,7 @@ use super::site::Called;
 use super::{Place, Walk};
 use crate::catalogue;
 use crate::catalogue::list;
-use crate::check::listed::{count, refused};
+use crate::check::listed::{count, numbers_for_variables, refused};
 use crate::diagnostic::Span;
 use crate::entry::{AUXILIARY, AUXILIARY_ARGS, Arg, ArgumentList, Cycle, Style};
 use crate::name::Name;
@@ -32,7 +32,13 @@ impl Walk<'_> {
             None => (catalogue::find(self.program.dialect, &name), None),
         };
         let Some(cycle) = cycle else { return };
-        let refused = refused(cycle, list, count(&arguments), |index| arguments::number(&arguments, index));
+        // as it is written: a variable may hold a number
+        let texts: Vec<Option<String>> =
+            args.iter().map(|id| Some(self.program.written(self.program.place(self.program.given(*id)?)))).collect();
+        let texts = texts.iter().map(Option::as_deref);
+        let refused = list
+            .and_then(|list| numbers_for_variables(list, texts))
+            .or_else(|| refused(cycle, list, count(&arguments), |index| arguments::number(&arguments, index)));
         let called = Called { cycle, span, list, refused };
         let given = match list {
             Some(list) => self.listed(place, &called, list, &arguments),

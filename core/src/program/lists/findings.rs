@@ -6,7 +6,7 @@ use super::{ListCall, list_call, set};
 use crate::catalogue::CYCLES;
 use crate::catalogue::newer::LISTS;
 use crate::catalogue::newer::arguments::Argument;
-use crate::check::newer::{DIRECTION, MINUS, is_newer_zero, is_nothing};
+use crate::check::newer::{is_newer_zero, is_nothing};
 use crate::check::{Parsed, parse};
 use crate::diagnostic::{Diagnostic, Edit, Severity, Span};
 use crate::entry::{Inputs, names};
@@ -27,18 +27,14 @@ pub fn of_call(program: &Program, site: &CallSite) -> Option<Vec<Diagnostic>> {
     }
     let mut found: Vec<Diagnostic> =
         site.diagnostics.iter().map(|one| with_cure(program, site, &call, one.clone())).collect();
-    found.extend(inch_path(program, site, &call));
-    found.extend(direction(&call));
+    let inch = inch_path(program, site, &call);
+    if inch.is_some() {
+        // why the path is as long as it is says more than that it is
+        found.retain(|one| one.code != own::NEWER_OPEN.code() || one.param != Some(names::FA));
+    }
+    found.extend(inch);
     found.extend(beyond(&call));
     Some(found)
-}
-
-/// A measuring direction that is neither plus nor minus, in the lists that are understood.
-fn direction(call: &ListCall) -> Option<Diagnostic> {
-    let argument = call.arguments.get(call.index(DIRECTION).filter(|_| call.list.is_written())?)?;
-    let Parsed::Number(number) = parse(&argument.text) else { return None };
-    let finding = own::NEWER_OPEN.finding().text("param", DIRECTION).text("value", argument.text.as_str());
-    (![1.0, MINUS].contains(&number)).then(|| finding.on(argument.place))
 }
 
 /// Arguments behind the last one that is published: some control may have them.

@@ -34,9 +34,9 @@ pub struct ListArgument {
 }
 
 impl ListCall {
-    /// Index of an argument by its name there.
+    /// Index of an argument by its name there; of one without a name by its place.
     pub fn index(&self, name: &str) -> Option<usize> {
-        Argument::all(self.list).position(|one| !name.is_empty() && one.name.eq_ignore_ascii_case(name))
+        Argument::all(self.list).position(|one| !name.is_empty() && one.key().eq_ignore_ascii_case(name))
     }
 
     /// The argument at an offset of the text.

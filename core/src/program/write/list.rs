@@ -1,10 +1,10 @@
 //! SINUMERIK: assignments and the call, with the arguments that its call style takes.
 
-use super::{Lines, Source, Written, is_expression, word};
+use super::{Lines, Source, Written, is_expression, value, word};
 use crate::catalogue::newer::arguments::Argument;
 use crate::check::{Parsed, Target, expression, newer, parse, target};
 use crate::diagnostic::Diagnostic;
-use crate::entry::{AUXILIARY, AUXILIARY_ARGS, Arg, ArgumentList, Param, Style, Typed, names};
+use crate::entry::{AUXILIARY, AUXILIARY_ARGS, Arg, ArgumentList, Kind, Param, Style, Typed, names};
 use crate::name::Name;
 use crate::own;
 use crate::program::values::opposite;
@@ -119,7 +119,7 @@ fn listed(source: &Source, list: &'static ArgumentList) -> Written {
             Style::Operate => {
                 said.retain(|name| *name != param.name);
                 let default = param.fallback(source.control).map_or(Parsed::Empty, Parsed::Number);
-                let lost = || own::WRITE_LOST.finding().text("name", param.name);
+                let lost = || own::WRITE_LOST.finding().text("name", param.name).at(param.name);
                 findings.extend((parse(text) != default).then(lost));
             }
         }
@@ -180,26 +180,37 @@ fn arguments(source: &Source, list: &'static ArgumentList) -> Vec<(Option<Name>,
 
 /// An argument of the list of a newer control: the value, else what programs write there.
 fn newer_argument(source: &Source, argument: &Argument) -> (Option<Name>, String) {
-    let own = own_value(source, argument.name);
-    let text = match argument.param.filter(|_| own.is_empty()) {
+    let param = argument.param.and_then(|name| source.cycle.param(name.as_str()));
+    let own = match param.filter(|param| matches!(param.kind, Kind::Text(_))) {
+        Some(param) => source.typed.get(argument.name).and_then(|text| value(source.cycle.dialect, param, text)),
+        None => Some(own_value(source, argument.key())),
+    };
+    let own = own.unwrap_or_default();
+    let named = (!argument.key().is_empty()).then(|| Name::new(argument.key()));
+    if !own.is_empty() {
+        return (named, own);
+    }
+    let unsaid = argument.param.is_some_and(|name| newer::is_unsaid(name, &source.inputs));
+    let text = match argument.param {
+        Some(param) if unsaid => source.value(&param).map_or(String::new(), str::to_owned),
         Some(param) => parameter(source, &param),
         None => own,
     };
-    let name = argument.param.or_else(|| (!argument.name.is_empty()).then(|| Name::new(argument.name)));
+    let name = argument.param.or(named);
     if !text.is_empty() {
         return (name, text);
     }
-    let beside = argument.name == "_AMODE" && CENTRE.iter().any(|name| !own_value(source, name).is_empty());
-    let usual = if beside { BESIDE } else { argument.usual() };
-    (name.filter(|_| usual != NO_TEXT), usual.to_owned()) // an empty text is read as no value
+    let beside = argument.name == newer::MODE && newer::CENTRE.iter().any(|name| !own_value(source, name).is_empty());
+    let usual = match beside {
+        true => newer::BESIDE.to_string(),
+        false if unsaid => String::new(),
+        false => argument.usual().to_owned(),
+    };
+    (name.filter(|_| usual != NO_TEXT), usual) // an empty text is read as no value
 }
 
 /// A text that says nothing.
 const NO_TEXT: &str = "\"\"";
-
-/// The arguments for a centre beside which the probe starts, and what `_AMODE` is with one of them.
-const CENTRE: [&str; 2] = ["S_XM", "S_YM"];
-const BESIDE: &str = "11";
 
 /// What was typed for something that only the lists of newer controls have, or under its name there.
 fn own_value(source: &Source, name: &str) -> String {

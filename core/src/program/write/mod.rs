@@ -9,11 +9,12 @@ mod support;
 use crate::catalogue::Functions;
 use crate::check;
 use crate::check::{Parsed, Text, expression, parse, parse_text};
-use crate::control::Control;
+use crate::control::{Control, GENERATION, OF_LISTS};
 use crate::diagnostic::{Diagnostic, Span};
 use crate::dialect::Dialect;
-use crate::entry::{Cycle, Inputs, Kind, Param, ProbeUse, Style, Typed};
+use crate::entry::{ArgumentList, Cycle, Inputs, Kind, Param, ProbeUse, Style, Typed};
 use crate::name::Name;
+use crate::own;
 use crate::support::Support;
 use crate::syntax::Grammar;
 use std::collections::BTreeMap;
@@ -55,6 +56,26 @@ struct Source<'a> {
 /// control's own support it is what that support writes; the lists of newer controls know nothing of it.
 pub fn snippet(cycle: &'static Cycle, typed: &Typed, control: &Control, style: Style, words: Option<Words>) -> Written {
     snippet_of(cycle, &Values { typed, expressions: &Typed::new() }, control, style, words)
+}
+
+/// Whether a new call is written in the list of newer controls on this machine.
+pub fn is_listed_on(cycle: &Cycle, control: &Control) -> bool {
+    let listed = |list: &ArgumentList| list.style == Style::Operate && list.is_written();
+    control.number(GENERATION) == OF_LISTS && cycle.lists.iter().any(listed)
+}
+
+/// Why a control of the generation of this machine does not take a new call in this style, or why it is not written in
+/// its list.
+pub fn other_generation(cycle: &Cycle, style: Style, control: &Control) -> Option<Diagnostic> {
+    let generation = control.number(GENERATION);
+    let list = cycle.lists.iter().find(|list| list.style == Style::Operate).filter(|_| generation > 0.0)?;
+    let sentence = match (style == Style::Operate, generation == OF_LISTS) {
+        (true, false) => own::GENERATION_LIST,
+        (false, true) if list.is_written() => own::GENERATION_ASSIGNED,
+        (false, true) => return Some(own::WRITE_ASSIGNED.finding().text("cycle", cycle.name)),
+        _ => return None,
+    };
+    Some(sentence.finding().text("cycle", cycle.name).number("generation", generation))
 }
 
 /// Values of a call: what they are worth, and of some how a program writes them.

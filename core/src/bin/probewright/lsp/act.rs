@@ -179,7 +179,15 @@ fn converted(asked: &Asked, style: Style, call: Option<usize>) -> Option<Value> 
     let mut told: Vec<String> = done.findings.iter().map(said).collect();
     told.sort();
     told.dedup();
-    let told = if told.is_empty() { String::new() } else { format!(" – {}", told.join(" ")) };
+    let told = match &told[..] {
+        [] => String::new(),
+        [only] => format!(" – {only}"),
+        // a title of a menu is one line; the remarks stand at the calls of `probewright convert`
+        many => {
+            let number = Message::new("server-remarks").number("number", many.len() as f64);
+            format!(" – {}", asked.words.text(&number))
+        }
+    };
     let edits = asked.placed(&done.edits);
     let title = asked.words.key(key) + &told;
     (!edits.is_empty()).then(|| asked.action(title, &CodeActionKind::REFACTOR_REWRITE, &edits))

@@ -5,7 +5,7 @@ use super::known::{Document, Known};
 use lsp_types::{CompletionItem, CompletionItemKind, CompletionTextEdit, Position, Range, TextEdit};
 use probewright_core::catalogue::CYCLES;
 use probewright_core::dialect::Dialect;
-use probewright_core::entry::{Arg, ArgumentList, Cycle, Inputs};
+use probewright_core::entry::{Arg, Cycle};
 use probewright_core::form::{self, Choice, Entry, Field, Group};
 use probewright_core::message::Message;
 use probewright_core::name::Name;
@@ -198,27 +198,18 @@ fn argument(known: &Known, at: u32, called: &str, place: usize, make: &Make) -> 
         _ => site.map_or_else(Vec::new, |site| values(known, Some(site), name, make)),
     };
     match found.and_then(|(_, list)| list.args.get(place)) {
-        Some(Arg::Newer(_, Some(name))) => of_newer(found, *name, values(name)),
+        Some(Arg::Newer(_, Some(name))) => match found {
+            // of the variants those whose numbers are known in the list
+            Some((cycle, list)) if cycle.variant_param() == Some(*name) => {
+                make.choices(&form::known_variants(cycle, list))
+            }
+            _ => values(name),
+        },
         Some(Arg::Select(choices)) => choices.iter().map(|(number, _)| make.choice(*number, String::new())).collect(),
         Some(Arg::Is(number)) => vec![make.choice(*number, called.to_owned())],
         Some(Arg::Newer(name, None)) => own_value(name, make),
         other => other.and_then(Arg::param).map_or_else(Vec::new, |name| values(&name)),
     }
-}
-
-/// Of the variants those whose numbers are known in the list.
-fn of_newer(
-    found: Option<(&'static Cycle, &'static ArgumentList)>,
-    name: Name,
-    mut items: Vec<CompletionItem>,
-) -> Vec<CompletionItem> {
-    let Some((cycle, list)) = found.filter(|(cycle, _)| cycle.variant_param() == Some(name)) else { return items };
-    let known = |item: &CompletionItem| {
-        let number = item.label.parse().ok();
-        number.is_some_and(|number| list.when.holds(&Inputs::new(cycle, number)))
-    };
-    items.retain(known);
-    items
 }
 
 /// The values of an argument that only newer controls have.

@@ -75,9 +75,15 @@ fn argument(known: &Known, at: u32, words: &Words) -> Option<String> {
     Some(valued.map_or_else(|| told.clone(), |valued| format!("{told}\n{}", value(known, &valued, at, words))))
 }
 
-/// A call: the help page of its variant, where that is known.
+/// A call: the help page of its variant, where that is known; in the list of a newer control its arguments, because the
+/// page is that of the older one.
 fn call(known: &Known, site: &CallSite, words: &Words) -> String {
     let chosen = known.variant(site);
+    if let Some(list) = site.newer_list() {
+        let number = chosen.map_or_else(String::new, |number| format!(" {number}"));
+        let title = words.text(&known.title(site));
+        return format!("{}{number}: {title}\n\n{}", list.name, explain::list(list.name, words));
+    }
     let variant = site.cycle.variants.iter().find(|one| chosen == Some(one.number));
     variant.map_or_else(|| explain::cycle(site.cycle, words), |one| explain::variant(site.cycle, one, words))
 }

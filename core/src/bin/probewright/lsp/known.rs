@@ -7,11 +7,12 @@ use crate::joined::Joined;
 use probewright_core::control::delivery;
 use probewright_core::diagnostic::{Diagnostic, Span};
 use probewright_core::form::{self, Field};
+use probewright_core::message::Message;
 use probewright_core::name::Name;
 use probewright_core::program::calls::{CallSite, calls_on};
 use probewright_core::program::places::places;
 use probewright_core::syntax::{Program, Word};
-use probewright_core::{check, control::Control, program, syntax};
+use probewright_core::{control::Control, program, syntax};
 use std::path::{Path, PathBuf};
 
 /// A program that an editor shows.
@@ -126,14 +127,24 @@ impl Known {
         all
     }
 
-    /// The fields of a call with its values.
+    /// The fields of a call with its values: in the list of a newer control those of the list.
     pub fn fields(&self, site: &CallSite) -> Vec<Field> {
-        form::fields(site.cycle, &site.values, &site.control_at(&self.control))
+        let control = site.control_at(&self.control);
+        match site.newer_list() {
+            Some(list) => form::fields_of_call(site.cycle, list, &site.values, &control),
+            None => form::fields(site.cycle, &site.values, &control),
+        }
     }
 
     /// Number of the variant of a call, where that is known.
     pub fn variant(&self, site: &CallSite) -> Option<i64> {
-        check::variants::chosen(site.cycle, &site.values, &site.control_at(&self.control))
+        site.variant(&site.control_at(&self.control))
+    }
+
+    /// What a call is called: its variant where that is known, else its cycle.
+    pub fn title(&self, site: &CallSite) -> Message {
+        let title = site.title(&site.control_at(&self.control));
+        title.unwrap_or_else(|| Message::new(format!("{}-title", site.cycle.key)))
     }
 }
 

@@ -65,16 +65,14 @@ fn lines(document: &Document, known: &Known, all: &Programs, unit: &Unit, words:
         }
     }
     for (_, site) in known.own().filter(|(_, site)| unit.blocks.contains(&(site.line as usize))) {
-        let chosen = known.variant(site);
-        let variant = site.cycle.variants.iter().find(|one| chosen == Some(one.number));
-        let title = variant.map_or_else(|| words.key(format!("{}-title", site.cycle.key)), |one| words.key(one.key));
+        let title = words.text(&known.title(site));
         let lines = document.text.range_of_lines(site.first_line, site.line);
         let call = plain(site.cycle.name.to_owned(), title, SymbolKind::EVENT, site.span);
         found.push(Symbol { range: lines, ..call });
     }
     let own = |one: &Other| known.joined.of_program(one.span);
     let within = |one: &Other| unit.blocks.contains(&(known.program.line_of(one.span.start) as usize));
-    for Other { name, title, span } in others(&known.program).filter(|one| own(one) && within(one)) {
+    for Other { name, title, span, .. } in others(&known.program).filter(|one| own(one) && within(one)) {
         found.push(plain(name, words.text(&title), SymbolKind::EVENT, span));
     }
     found.sort_by_key(|symbol| symbol.selection.start);
