@@ -234,7 +234,6 @@ sentences! {
     CONVERT_MACRO 190 Error "convert-macro" "convert-macro-hint";
     WRITE_EXPRESSION 191 Note "write-expression" "";
     CONVERT_EXPRESSION 192 Error "convert-expression" "convert-expression-hint";
-    CONVERT_PARTED 192 Error "convert-parted" "convert-expression-hint";
     REVISE_TAKEN 193 Note "revise-taken" "";
     REVISE_KEPT 193 Note "revise-kept" "";
     REVISE_SHARED 193 Note "revise-shared" "";

@@ -6,7 +6,7 @@ use super::calls::CallSite;
 use crate::check::{expression::is_parameter, parse};
 use crate::diagnostic::{Diagnostic, Span};
 use crate::dialect::Dialect;
-use crate::entry::{AUXILIARY, Arg, Typed};
+use crate::entry::{AUXILIARY, Arg};
 use crate::name::Name;
 use crate::own;
 use crate::syntax::fold::names_in;
@@ -37,22 +37,6 @@ pub(super) fn moves(program: &Program, site: &CallSite, said: &[Name]) -> Option
     let mut names = said.iter().copied();
     let name = names.find(|name| site.expression(name).is_some_and(|text| moves(text, *name)))?;
     Some(changing(site, name))
-}
-
-/// The first of these values that is written in one place, past which the program comes to the call on another way:
-/// with the text of the call it would count on each.
-pub(super) fn parted(site: &CallSite, said: &[Name]) -> Option<Diagnostic> {
-    let differs = |name: &Name| {
-        let Some(text) = site.values.get(name.as_str()).filter(|text| *text != name.as_str()) else { return false };
-        let other = |values: &Typed| values.get(name.as_str()).is_none_or(|one| parse(one) != parse(text));
-        site.own_place(name.as_str()).is_some()
-            && !site.expressions.contains_key(name.as_str())
-            && site.ways.iter().any(|way| other(site.values_on(way)))
-    };
-    let name = said.iter().copied().find(differs)?;
-    let value = site.values.get(name.as_str()).map_or("", String::as_str);
-    let finding = own::CONVERT_PARTED.finding().text("name", name).text("value", value).hint_text("name", name);
-    Some(finding.hint_text("value", value))
 }
 
 /// The expression of a value is not worth the same at the call.

@@ -96,8 +96,7 @@ fn planned(
     if written.text.is_empty() {
         return Err(written.findings);
     }
-    let stays = carried::stuck(program, site).or_else(|| carried::moves(program, site, &written.said));
-    match stays.or_else(|| carried::parted(site, &written.said)) {
+    match carried::stuck(program, site).or_else(|| carried::moves(program, site, &written.said)) {
         Some(finding) => Err(vec![finding]),
         None => Ok(Plan { index, edits: rewritten(program, site, &written), written }),
     }
