@@ -242,9 +242,12 @@ sentences! {
     NEWER_INCH 195 Warning "newer-inch" "newer-inch-hint";
     WRITE_DIRECTION 196 Warning "write-direction" "write-direction-hint";
     WRITE_INFEED 196 Warning "write-infeed" "write-infeed-hint";
+    WRITE_ROTARY 196 Warning "write-rotary" "write-rotary-hint";
     WRITE_COARSE 196 Warning "write-coarse" "write-coarse-hint";
     GENERATION_LIST 197 Warning "generation-list" "generation-list-hint";
     GENERATION_ASSIGNED 197 Warning "generation-assigned" "generation-assigned-hint";
+    GENERATION_SETTING_DATA 197 Warning "generation-setting-data" "generation-setting-data-hint";
+    GENERATION_USER_DATA 197 Warning "generation-user-data" "generation-user-data-hint";
     RUNS_BEFORE 198 Note "user-program-runs-before" "";
     RUNS_BEFORE_WHOLE 198 Note "user-program-runs-before-whole" "";
     RUNS_BEHIND 198 Note "user-program-runs-behind" "";
@@ -283,6 +286,7 @@ sentences! {
     NEWER_ALONE 227 Note "newer-alone" "";
     NEWER_AWAY 230 Error "newer-away" "newer-away-hint";
     WRITE_ASSIGNED 231 Note "write-assigned" "write-assigned-hint";
+    CONVERT_UNUSED 232 Note "convert-unused" "";
     NEWER_CENTRE_MISSING 237 Warning "newer-centre-missing" "newer-centre-missing-hint";
     NEWER_CENTRE_UNUSED 237 Warning "newer-centre-unused" "newer-centre-unused-hint";
     NEWER_NO_LIST 238 Warning "newer-no-list" "newer-no-list-hint";

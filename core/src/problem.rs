@@ -24,6 +24,7 @@ pub const KEYS: &[&str] = &[
     "run-skipped-block-search", "run-skipped-simulation", "run-jobshop", "run-deviation", "run-search-missed",
     "run-mode-none", "run-foreign", "run-log-deleted", "run-log-full", "run-screen-empty", "run-dialogue",
     "run-search-target",
+    "run-setting-absent", "run-result-screen",
 ];
 
 /// Keys of what a run goes on without: named at its end.
@@ -43,6 +44,7 @@ const CURES: &[(&str, &str)] = &[
     ("run-log-full", "run-log-full-hint"),
     ("run-screen-empty", "run-screen-empty-hint"),
     ("run-dialogue", "run-dialogue-hint"),
+    ("run-setting-absent", "run-setting-absent-hint"),
 ];
 
 /// Something wrong at a place.

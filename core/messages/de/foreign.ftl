@@ -22,7 +22,7 @@ foreign-usual = Nicht in diesem Aufruf, mit dem üblichen Wert geschrieben: { $n
 foreign-datum = { $control } speichert Bezugspunkte in Tabellen: Q305=0 setzt den aktiven Bezugspunkt, eine andere Nummer eine Zeile der Tabelle.
 foreign-zero-lost = Die Nullpunktverschiebung { $value } hat bei { $control } keine Entsprechung: Der Aufruf misst nur. Um einen Bezugspunkt zu setzen, eine Nullpunktverschiebung von G54 bis G59 eingeben.
 foreign-of = Parameter von { $control }: { $text }
-foreign-log = Messprotokoll von { $cycle }, { $program }, { $date } { $time }
+foreign-log = Messprotokoll von { $cycle }, { $program }, { $date } { $time }, Längen in { $unit }
 foreign-source = Quelle: { $source }
 foreign-outside = { $name } hat keinen solchen Wert
 foreign-needs = { $cycle } braucht { $names }

@@ -13,6 +13,7 @@ generations-simulated = { $variants }, mit NV 1 bis 99 (fein), 10001 bis 10099 (
 generations-no-tool = Auch kein Werkzeug (S_KNUM1): Die Ziffern sind nicht veröffentlicht.
 generations-digits = nein: Die Ziffern von Argument 1 sind nicht veröffentlicht
 generations-no-counterpart = nein: Ältere Steuerungen haben keinen solchen Zyklus, und die Ziffern sind nicht veröffentlicht
+generations-shows = nein, der Lauf geht weiter: Der Zyklus zeigt die Ergebnisse, schreibt das Protokoll und bewegt nichts.
 
 newer-alarm-61309 = Werkzeugtyp eines Messtasters verwenden: 710 beim Fräsen, 712 bis 714 für Sonderaufgaben, 580 beim Drehen. SD 54633 enthält den Typ des Werkzeugmesstasters.
 newer-alarm-61313 = S_PRNUM auf einen Messtaster von 1 bis 12 setzen.

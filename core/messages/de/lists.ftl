@@ -81,10 +81,16 @@ write-direction = S_MD ist leer: Der ältere Aufruf sagt nicht, in welche Richtu
 write-direction-hint = 1 (plus) oder 2 (minus) eingeben, wie es Programme von Anwendern immer tun.
 write-infeed = S_ID = { $value } behält sein Vorzeichen. Welches nach unten führt, ist an neueren Steuerungen von Programm zu Programm verschieden.
 write-infeed-hint = Vor dem ersten Lauf das Vorzeichen mit einem Programm vergleichen, das an dieser Maschine läuft.
+write-rotary = S_RA = { $value }: Welche Zahl an neueren Steuerungen für welche Rundachse steht, ist nicht veröffentlicht. Programme schreiben 6.
+write-rotary-hint = S_RA vor dem ersten Lauf an der Steuerung prüfen.
 generation-list = { $cycle } wird mit der Argumentliste neuerer Steuerungen aufgerufen, die Maschine ist aber von Generation { $generation }.
 generation-list-hint = Aufrufe umwandeln oder PW-GENERATION in den Maschinendaten auf 3 setzen.
 generation-assigned = { $cycle } wird wie an älteren Steuerungen aufgerufen, die Maschine ist aber von Generation { $generation } und erwartet Argumentlisten.
 generation-assigned-hint = Aufrufe umwandeln. Laufen an dieser Maschine auch Zuweisungen, PW-GENERATION auf 0 setzen.
+generation-setting-data = { $name } gibt es an neueren Steuerungen, die Maschine ist aber von Generation { $generation }.
+generation-setting-data-hint = Die Anwenderdaten dieser Maschine verwenden oder PW-GENERATION in den Maschinendaten auf 2 oder 3 setzen.
+generation-user-data = { $name }[] sind Anwenderdaten älterer Steuerungen, die Maschine ist aber von Generation { $generation } und hat dafür Settingdaten.
+generation-user-data-hint = Die Settingdaten ab SD 54600 und SD 55630 verwenden oder PW-GENERATION in den Maschinendaten korrigieren.
 argument-shown = Argument { $place } der Liste: { $name }.
 argument-shown-screen = Argument { $place } der Liste: { $name }, auf dem Bildschirm { $screen }.
 newer-cycle995 = Misst die Winkligkeit einer Spindel

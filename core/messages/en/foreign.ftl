@@ -22,7 +22,7 @@ foreign-usual = Not in this call, written with the usual value: { $names }.
 foreign-datum = { $control } keeps datums in tables: Q305=0 sets the active datum, another number a row of the table.
 foreign-zero-lost = Zero offset { $value } has no counterpart on { $control }: the call only measures. To set a datum, enter a zero offset from G54 to G59.
 foreign-of = Parameter of { $control }: { $text }
-foreign-log = Log of { $cycle }, { $program }, { $date } { $time }
+foreign-log = Log of { $cycle }, { $program }, { $date } { $time }, lengths in { $unit }
 foreign-source = Source: { $source }
 foreign-outside = { $name } has no such value
 foreign-needs = { $cycle } needs { $names }

@@ -13,6 +13,7 @@ generations-simulated = { $variants }, with a zero offset from 1 to 99 (fine), 1
 generations-no-tool = Nor a tool (S_KNUM1): its digits are not published.
 generations-digits = No: the digits of argument 1 are not published
 generations-no-counterpart = No: older controls have no such cycle, and the digits are not published
+generations-shows = No, and the run goes on: it shows the results and writes the log, and moves nothing.
 
 newer-alarm-61309 = Use the tool type of a probe: 710 for milling, 712 to 714 for special tasks, 580 for turning. SD 54633 has the type of the tool probe.
 newer-alarm-61313 = Set S_PRNUM to a probe from 1 to 12.

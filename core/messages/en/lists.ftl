@@ -81,10 +81,16 @@ write-direction = S_MD is empty: the older call does not say in which direction 
 write-direction-hint = Enter 1 (plus) or 2 (minus), as programs of machine users always do.
 write-infeed = S_ID = { $value } keeps its sign. On newer controls programs disagree about the sign that leads down.
 write-infeed-hint = Check the sign with a program that runs on this machine, before the first run.
+write-rotary = S_RA = { $value }: which number stands for which rotary axis on newer controls is not published. Programs write 6.
+write-rotary-hint = Check S_RA on the control before the first run.
 generation-list = { $cycle } is called with the argument list of newer controls, but the machine is of generation { $generation }.
 generation-list-hint = Convert the calls, or set PW-GENERATION to 3 in the machine data.
 generation-assigned = { $cycle } is called as on older controls, but the machine is of generation { $generation }, which takes argument lists.
 generation-assigned-hint = Convert the calls. If assignments run on this machine too, set PW-GENERATION to 0.
+generation-setting-data = { $name } is a datum of newer controls, but the machine is of generation { $generation }.
+generation-setting-data-hint = Use the user data of this machine, or set PW-GENERATION to 2 or 3 in the machine data.
+generation-user-data = { $name }[] is user data of older controls, but the machine is of generation { $generation }, which has setting data instead.
+generation-user-data-hint = Use the setting data from SD 54600 and SD 55630, or correct PW-GENERATION in the machine data.
 argument-shown = Argument { $place } of the list: { $name }.
 argument-shown-screen = Argument { $place } of the list: { $name }, on the screen { $screen }.
 newer-cycle995 = Measures how far a spindle is out of square

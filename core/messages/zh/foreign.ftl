@@ -22,7 +22,7 @@ foreign-usual = 此调用中没有，按常用值填写：{ $names }。
 foreign-datum = { $control } 将原点保存在表中：Q305=0 设置当前原点，其他编号设置表中的一行。
 foreign-zero-lost = 零点偏移 { $value } 在 { $control } 上没有对应编号：该调用只测量。要设置原点，请输入 G54 至 G59 的零点偏移。
 foreign-of = { $control } 的参数：{ $text }
-foreign-log = { $cycle } 的测量记录，{ $program }，{ $date } { $time }
+foreign-log = { $cycle } 的测量记录，{ $program }，{ $date } { $time }，长度单位 { $unit }
 foreign-source = 来源：{ $source }
 foreign-outside = { $name } 没有这样的取值
 foreign-needs = { $cycle } 需要 { $names }

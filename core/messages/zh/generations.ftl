@@ -13,6 +13,7 @@ generations-simulated = { $variants }，零点偏移为 1 至 99（精）、1000
 generations-no-tool = 也不包括刀具（S_KNUM1）：其各位数字的含义未公布。
 generations-digits = 否：参数 1 各位数字的含义未公布
 generations-no-counterpart = 否：旧版控制系统没有这样的循环，其各位数字的含义也未公布
+generations-shows = 否，运行继续：该循环只显示结果并写入测量记录，不产生移动。
 
 newer-alarm-61309 = 使用测头的刀具类型：铣削为 710，特殊任务为 712 至 714，车削为 580。刀具测头的类型在 SD 54633 中。
 newer-alarm-61313 = 将 S_PRNUM 设为 1 至 12 号测头。

@@ -81,10 +81,16 @@ write-direction = S_MD 为空：旧的调用没有说明测量方向。
 write-direction-hint = 输入 1（正）或 2（负），机床用户的程序总是写入该值。
 write-infeed = S_ID = { $value } 保持其符号。在新型控制系统上，哪个符号表示向下因程序而异。
 write-infeed-hint = 首次运行前，请与在本机床上运行的程序核对符号。
+write-rotary = S_RA = { $value }：新型控制系统中哪个数字代表哪个回转轴未公布。程序中写 6。
+write-rotary-hint = 首次运行前在控制系统上检查 S_RA。
 generation-list = { $cycle } 使用了新型控制系统的参数列表，而机床属于第 { $generation } 代。
 generation-list-hint = 转换这些调用，或在机床数据中将 PW-GENERATION 设为 3。
 generation-assigned = { $cycle } 按旧版控制系统的方式调用，而机床属于第 { $generation } 代，使用参数列表。
 generation-assigned-hint = 转换这些调用。如果赋值方式在本机床上也能运行，请将 PW-GENERATION 设为 0。
+generation-setting-data = { $name } 是新型控制系统的数据，而机床属于第 { $generation } 代。
+generation-setting-data-hint = 使用本机床的用户数据，或在机床数据中将 PW-GENERATION 设为 2 或 3。
+generation-user-data = { $name }[] 是旧版控制系统的用户数据，而机床属于第 { $generation } 代，用设定数据代替。
+generation-user-data-hint = 使用从 SD 54600 和 SD 55630 开始的设定数据，或改正机床数据中的 PW-GENERATION。
 argument-shown = 列表的参数 { $place }：{ $name }。
 argument-shown-screen = 列表的参数 { $place }：{ $name }，屏幕上为 { $screen }。
 newer-cycle995 = 测量主轴的垂直度

@@ -4,6 +4,7 @@ use crate::catalogue::alarms;
 use crate::catalogue::newer::alarms::NEWER;
 use crate::catalogue::newer::arguments::Argument;
 use crate::catalogue::newer::{LISTS, title};
+use crate::control::OF_LISTS;
 use crate::control::setting_data::SETTING_DATA;
 use crate::foreign::{CONTROLS, Foreign, ForeignCycle};
 use crate::message::Message;
@@ -88,8 +89,8 @@ fn arguments() -> Vec<Elsewhere> {
 fn data() -> Vec<Elsewhere> {
     let of = SETTING_DATA.iter().map(|datum| Elsewhere {
         code: datum.name(),
-        key: datum.key(),
-        help: format!("{}.help", datum.key()),
+        key: datum.key(OF_LISTS),
+        help: format!("{}.help", datum.key(OF_LISTS)),
         words: format!("{} {} {}", datum.number, datum.identifier(), datum.older_name()),
         lines: vec![match datum.older_name() {
             none if none.is_empty() => Message::new("argument-no-older"),

@@ -169,7 +169,12 @@ fn reset(control: &mut Control, delivered: &Control, name: &str) {
 
 /// What differs from delivery, as the setup file has it.
 fn data(control: &Control, delivered: &Control) -> BTreeMap<String, Value> {
+    // a setting datum that the machine no longer has: fewer probes, another generation
+    let gone = |name: &str| control.has_setting_data() && control.instead_of(name).is_some();
     let differs = control.data.iter().filter(|(name, value)| {
+        if gone(name) {
+            return false;
+        }
         let zero = **value == Value::Number(0.0);
         match delivered.data.get(name) {
             Some(other) => other != *value,
@@ -201,7 +206,8 @@ fn field(setting: Setting, control: &Control, delivered: &Control) -> MachineFie
 
 /// A datum as it would be typed; empty where nothing is known of it.
 fn shown(control: &Control, setting: &Setting) -> String {
-    match control.data.get(&setting.name) {
+    let older = || control.setting_value(&setting.name);
+    match control.data.get(&setting.name).or_else(older) {
         Some(Value::Number(value)) => value.to_string(),
         Some(Value::Text(text)) => text.clone(),
         None if setting.entry == Entry::Text || without_delivery(&setting.name) => String::new(),
@@ -292,6 +298,35 @@ mod tests {
                 }
             }
         }
+    }
+
+    // oracle: peer (newer controls have these in setting data); hand: one value stands in one field
+    #[test]
+    fn a_newer_machine_has_each_value_once() {
+        for (generation, plane) in [(2, "SD55631"), (3, "SD55634")] {
+            let data = json!({ "PW-GENERATION": generation, "_WP[0,0]": 5.9, "SD54600[11]": 4.0, "SD55613": 1 });
+            let view = ask(&own(&data), &json!({}));
+            for name in ["_WP[0,0]", "_SPEED[0]", "_CVAL[1]", "_TP[0,6]", "_CM[0]"] {
+                assert!(field(&view, name).is_none(), "{name}");
+            }
+            assert_eq!(field(&view, "SD54600[0]").unwrap()["value"], "5.9");
+            assert_eq!(field(&view, "SD54600[11]").unwrap()["value"], "4");
+            assert!(field(&view, "SD54600[12]").is_none() && field(&view, "SD54625[6]").is_none());
+            assert!(field(&view, plane).is_some() && field(&view, "SD54625[5]").is_some());
+            // fewer probes: what is left can be read again
+            let view = ask(&own(&view["data"]), &json!({ "MD51600": "2", plane: "700" }));
+            assert_eq!(view["problems"], json!([]));
+            assert_eq!((&view["data"]["SD54600[11]"], &view["data"]["_SPEED[1]"]), (&Value::Null, &json!(700.0)));
+            let again = ask(&own(&view["data"]), &json!({}));
+            assert_eq!(again["data"], view["data"]);
+        }
+        let refused = |name: &str, generation: i64| {
+            let setup = own(&json!({ "PW-GENERATION": generation, name: 6 }));
+            let request = json!({ "control": "sinumerik", "setup": setup, "values": {} });
+            machine(&request.to_string()).is_err()
+        };
+        assert!(refused("SD54600[12]", 3) && refused("SD54600", 3) && refused("SD55634[0]", 3));
+        assert!(refused("SD55634", 2) && !refused("SD55634", 3) && !refused("SD42950", 3));
     }
 
     // oracle: hand

@@ -21,7 +21,7 @@ pub fn measuring(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>
 /// Probe number beyond the data fields `_WP[]` (`_CVAL[1]`, B:13346) or a type other than multi and mono.
 pub fn probe(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     let Some(code) = inputs.given(names::PRNUM).map(|code| code as i64) else { return };
-    let fields = match control.number("_CVAL[1]") {
+    let fields = match control.fields("_CVAL[1]") {
         0.0 => 3.0,
         fields => fields,
     };

@@ -3,7 +3,7 @@
 //! those of a user datum, its words and its limits count here too.
 
 use super::gud::{self, Element, Gud};
-use super::{Control, GENERATION};
+use super::{Control, GENERATION, Value, arrays};
 
 /// A setting datum, or one of the machine data.
 pub struct SettingDatum {
@@ -22,6 +22,16 @@ pub struct SettingDatum {
 const MOST: usize = 20;
 /// In the place of what counts the values: they are told and not entered.
 const TOLD: &str = "-";
+/// Fields of probes that these generations have, whatever the first one counts: the user datum that counts them, the
+/// machine datum that does so here, and the most that a call can name (remedies of alarms 61313 and 61416, diagnostics
+/// manual 03/2013, 6FC5398-8BP40-3KA1).
+const PROBES: [(&str, &str, f64); 3] =
+    [("_CVAL[0]", "MD51602", 6.0), ("_CVAL[1]", "MD51600", 12.0), ("_CVAL[3]", "MD51603", 6.0)];
+/// The speeds, of which each generation has its own: the second has these elements of `_SPEED` in these data, the third
+/// as in the table (remedies of alarms 61338 and 61339, the same manual).
+const SPEEDS: &str = "_SPEED";
+const SPEEDS_OF_SECOND: [(u32, &str); 3] = [(55_630, "0"), (55_631, "1"), (55_632, "2")];
+const SECOND: f64 = 2.0;
 /// Where setting data begin; below are machine data.
 const SETTINGS: u32 = 54_000;
 
@@ -164,9 +174,24 @@ pub const SETTING_DATA: &[SettingDatum] = data! {
 };
 
 impl SettingDatum {
-    /// The user datum with the same content, and its element.
-    pub fn older(&self) -> Option<(&'static Gud, &'static Element)> {
-        let [array, index] = self.older;
+    /// The user datum and the index of its element as this generation has it.
+    fn of_first(&self, generation: f64) -> [&'static str; 2] {
+        let second = SPEEDS_OF_SECOND.iter().find(|(number, _)| *number == self.number);
+        match second {
+            Some((_, index)) if generation == SECOND => [SPEEDS, index],
+            None if self.is_other(generation) => [""; 2],
+            _ => self.older,
+        }
+    }
+
+    /// Whether this generation has the content in another datum: it is not known what this one is there.
+    fn is_other(&self, generation: f64) -> bool {
+        generation == SECOND && self.older[0] == SPEEDS && SPEEDS_OF_SECOND.iter().all(|(one, _)| *one != self.number)
+    }
+
+    /// The user datum with the same content on a control of this generation, and its element.
+    pub fn older(&self, generation: f64) -> Option<(&'static Gud, &'static Element)> {
+        let [array, index] = self.of_first(generation);
         let gud = gud::find(array)?;
         Some((gud, gud.elements.iter().find(|element| element.index == index)?))
     }
@@ -194,28 +219,47 @@ impl SettingDatum {
         format!("${sort}{of}S_{}", self.name)
     }
 
-    /// That user datum in words: `_WP[k,0]`; empty: there is none.
+    /// The datum that has this name's content in this generation: of the speeds the second has other numbers, and what
+    /// their numbers are in the third is none of its.
+    fn in_generation(&self, generation: f64) -> Option<&'static SettingDatum> {
+        let by_number = |number: u32| SETTING_DATA.iter().find(|one| one.number == number);
+        if generation != SECOND {
+            return by_number(self.number);
+        }
+        let [array, index] = self.older;
+        match SPEEDS_OF_SECOND.iter().find(|(_, of)| array == SPEEDS && *of == index) {
+            Some((number, _)) => by_number(*number),
+            None => by_number(self.number).filter(|datum| datum.is_named(generation)),
+        }
+    }
+
+    /// Whether its name is published for this generation: of the speeds of the second, numbers alone are.
+    pub fn is_named(&self, generation: f64) -> bool {
+        generation != SECOND || SPEEDS_OF_SECOND.iter().all(|(one, _)| *one != self.number)
+    }
+
+    /// That user datum of the newest generation in words: `_WP[k,0]`; empty: there is none.
     pub fn older_name(&self) -> String {
         let [array, index] = self.older;
         if array.is_empty() { String::new() } else { format!("{array}[{index}]") }
     }
 
-    /// Key of its words: those of the user datum.
-    pub fn key(&self) -> String {
-        self.older()
-            .map_or_else(|| format!("datum-{}", self.name().to_ascii_lowercase()), |(gud, element)| gud.key(element))
+    /// Key of its words on a control of this generation: those of the user datum.
+    pub fn key(&self, generation: f64) -> String {
+        let own = || format!("datum-{}", self.name().to_ascii_lowercase());
+        self.older(generation).map_or_else(own, |(gud, element)| gud.key(element))
     }
 
     /// Places of its values on this machine: of each probe that it counts, or the single one; none of one that is only
-    /// told.
+    /// told, or that this generation has in another datum.
     pub fn places(&self, control: &Control) -> Vec<Option<usize>> {
-        if self.counted == TOLD {
+        if self.counted == TOLD || self.is_other(control.number(GENERATION)) {
             return Vec::new();
         }
         if self.counted.is_empty() {
             return vec![None];
         }
-        (0..(control.number(self.counted) as usize).min(MOST)).map(Some).collect()
+        (0..(control.fields(self.counted) as usize).min(MOST)).map(Some).collect()
     }
 
     /// A value as the setup names it: `SD54600[0]`.
@@ -223,28 +267,38 @@ impl SettingDatum {
         place.map_or_else(|| self.name(), |probe| format!("{}[{probe}]", self.name()))
     }
 
-    /// The place of the user datum with the same content: `[0, 1]` of `_WP[0,1]`.
-    pub fn older_place(&self, place: Option<usize>) -> Vec<usize> {
-        let [_, index] = self.older;
+    /// The place of the user datum with the same content on a control of this generation: `[0, 1]` of `_WP[0,1]`.
+    pub fn older_place(&self, place: Option<usize>, generation: f64) -> Vec<usize> {
+        let [_, index] = self.of_first(generation);
         index.split(',').filter_map(|part| if part == "k" { place } else { part.parse().ok() }).collect()
     }
 }
 
 /// The datum with this number (`54600`), name in words (`SD54600`) or identifier.
 pub fn find(asked: &str) -> Option<&'static SettingDatum> {
-    let number = asked.parse().ok();
-    let same = |datum: &&SettingDatum| {
-        number == Some(datum.number)
-            || datum.name().eq_ignore_ascii_case(asked)
-            || datum.identifier().eq_ignore_ascii_case(asked)
-    };
-    SETTING_DATA.iter().find(same)
+    let digits = |sort: &str| asked.get(..2).filter(|begin| begin.eq_ignore_ascii_case(sort)).and(asked.get(2..));
+    let numbered = digits("SD").or_else(|| digits("MD"));
+    if let Ok(number) = numbered.unwrap_or(asked).parse::<u32>() {
+        let of_sort = |datum: &&SettingDatum| numbered.is_none() || datum.name().eq_ignore_ascii_case(asked);
+        return SETTING_DATA.iter().find(|datum| datum.number == number).filter(of_sort);
+    }
+    SETTING_DATA.iter().find(|datum| datum.identifier().eq_ignore_ascii_case(asked))
 }
 
 impl Control {
     /// Whether its data are setting data, not user data.
     pub fn has_setting_data(&self) -> bool {
         self.number(GENERATION) > 1.0
+    }
+
+    /// How many fields there are of what this user datum counts: of probes, newer controls have data of their own.
+    pub fn fields(&self, counter: &str) -> f64 {
+        let own = PROBES.iter().find(|(user, ..)| *user == counter).filter(|_| self.has_setting_data());
+        match own {
+            Some((_, datum, most)) if !self.data.contains_key(datum) => *most,
+            Some((.., most)) => self.number(counter).min(*most),
+            None => self.number(counter),
+        }
     }
 
     /// On a machine of the second or third generation the values of its setting data go where the first has them, as
@@ -254,20 +308,87 @@ impl Control {
             return;
         }
         for datum in SETTING_DATA {
-            let Some((gud, _)) = datum.older() else { continue };
             for place in datum.places(self) {
-                if let Some(value) = self.data.get(&datum.spelled(place)).cloned() {
-                    self.data.insert(gud.spelled(&datum.older_place(place)), value);
+                if let Some((older, value)) = self.older_name(datum, place).zip(self.data.get(&datum.spelled(place))) {
+                    let value = value.clone();
+                    self.data.insert(older, value);
                 }
             }
         }
     }
+
+    /// The user datum in which a value of a setting datum is on this machine: `_WP[0,1]`.
+    fn older_name(&self, datum: &SettingDatum, place: Option<usize>) -> Option<String> {
+        let generation = self.number(GENERATION);
+        datum.older(generation).map(|(gud, _)| gud.spelled(&datum.older_place(place, generation)))
+    }
+
+    /// A setting datum by its identifier in a program, `$SNS_MEA_WP_BALL_DIAM[0]`: as the setup names it, and the user
+    /// datum in which its value is on this machine. The outer option: whether it is one; the inner one: whether this
+    /// machine has it with this index. A machine whose generation is not told has those of the newest.
+    pub fn setting(&self, key: &str) -> Option<Option<(String, Option<String>)>> {
+        if !is_of_program(key) {
+            return None;
+        }
+        let (stem, index) = arrays::split(key)?;
+        let named = SETTING_DATA.iter().find(|one| one.identifier() == stem)?;
+        let generation = self.number(GENERATION);
+        let place = index.first().copied();
+        let there = named.in_generation(generation).filter(|datum| {
+            index.len() < 2 && generation != 1.0 && (datum.counted == TOLD || datum.places(self).contains(&place))
+        });
+        Some(there.map(|datum| (datum.spelled(place), self.older_name(datum, place))))
+    }
+
+    /// The value that a setting datum has because the first generation has it in a user datum: `SD54600[0]`.
+    pub fn setting_value(&self, name: &str) -> Option<&Value> {
+        let (stem, index) = arrays::split(name).filter(|_| self.has_setting_data() && is_numbered(name))?;
+        self.data.get(&self.older_name(find(stem)?, index.first().copied())?)
+    }
+
+    /// The first datum given to this machine that it does not have, and those of its number that it has.
+    pub fn without_place(&self) -> Option<(String, Vec<String>)> {
+        let given = self.data.iter().filter(|(name, _)| self.has_setting_data() && is_numbered(name));
+        let mut absent = given.filter_map(|(name, _)| Some((name.clone(), self.instead_of(name)?)));
+        let first = absent.next()?;
+        Some(absent.fold(first, |first, one| if one.0 < first.0 { one } else { first }))
+    }
+
+    /// Those of the number of this datum that the machine has, where it is not one of them; none: it is, or it is no
+    /// datum of the table.
+    pub fn instead_of(&self, name: &str) -> Option<Vec<String>> {
+        let datum = find(arrays::stem(name)).filter(|datum| is_numbered(name) && datum.counted != TOLD)?;
+        let there: Vec<String> = datum.places(self).into_iter().map(|place| datum.spelled(place)).collect();
+        (!there.iter().any(|one| one == name)).then_some(there)
+    }
+}
+
+/// Whether a name is that of a datum with a number.
+fn is_numbered(name: &str) -> bool {
+    name.starts_with("SD") || name.starts_with("MD")
+}
+
+/// Whether newer controls have an element of a user datum in a setting or machine datum.
+pub fn replaces(gud: &Gud, element: &Element, generation: f64) -> bool {
+    let is = |(other, of): (&'static Gud, &'static Element)| other.name == gud.name && of.index == element.index;
+    generation >= SECOND && SETTING_DATA.iter().filter_map(|datum| datum.older(generation)).any(is)
+}
+
+/// Whether a name in a program can be that of such a datum: `$SNS_…`, `$SCS_…`, `$MNS_…`, `$MCS_…`.
+pub fn is_of_program(name: &str) -> bool {
+    ["$SNS_", "$SCS_", "$MNS_", "$MCS_"].iter().any(|begin| name.starts_with(begin))
+}
+
+/// Whether newer controls have this array of the block of the machine builder in setting or machine data.
+pub fn replaces_array(name: &str) -> bool {
+    gud::find(name).is_some_and(|gud| gud.block == gud::Block::Gud6)
+        && SETTING_DATA.iter().any(|datum| datum.older[0] == name)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::control::delivery;
+    use crate::control::{OF_LISTS, delivery};
     use crate::dialect::Dialect;
 
     // oracle: self (the numbers are looked up by a reader; a user datum that is named exists)
@@ -275,7 +396,7 @@ mod tests {
     fn each_number_stands_once_and_names_a_user_datum_that_exists() {
         assert!(SETTING_DATA.is_sorted_by(|one, other| one.number < other.number));
         for datum in SETTING_DATA {
-            assert_eq!(datum.older().is_none(), datum.older_name().is_empty(), "{}", datum.number);
+            assert_eq!(datum.older(OF_LISTS).is_none(), datum.older_name().is_empty(), "{}", datum.number);
         }
     }
 
@@ -300,19 +421,57 @@ mod tests {
         }
     }
 
-    // oracle: peer (published tables: the ball diameter in SD54600, the speed in the plane in SD55634); the first
-    // generation has them in user data
+    // oracle: peer (published tables: the ball diameter in SD54600; remedies of 61338 and 61339: the second generation
+    // has its speeds in SD55630 to SD55632, the third in SD55632, SD55634, SD55636); the first has them in user data
     #[test]
     fn a_newer_machine_measures_with_its_setting_data() {
-        for (generation, wanted) in
-            [(0.0, [6.0, 1000.0]), (1.0, [6.0, 1000.0]), (2.0, [4.0, 700.0]), (3.0, [4.0, 700.0])]
-        {
+        let speeds = |control: &Control| [0, 1, 2].map(|index| control.number(&format!("_SPEED[{index}]")));
+        let delivered = speeds(&delivery(Dialect::Sinumerik));
+        let second = ["SD55630", "SD55631", "SD55632"];
+        let third = ["SD55632", "SD55634", "SD55636"];
+        for (generation, names, ball) in [(0.0, third, 6.0), (1.0, third, 6.0), (2.0, second, 4.0), (3.0, third, 4.0)] {
             let mut control = delivery(Dialect::Sinumerik);
             control.set(GENERATION, generation);
             control.set("SD54600[1]", 4.0);
-            control.set("SD55634", 700.0);
+            for (name, value) in names.into_iter().zip([40.0, 700.0, 300.0]) {
+                control.set(name, value);
+            }
             control.take_setting_data();
-            assert_eq!(["_WP[1,0]", "_SPEED[1]"].map(|name| control.number(name)), wanted, "{generation}");
+            let wanted = if generation < 2.0 { delivered } else { [40.0, 700.0, 300.0] };
+            assert_eq!((control.number("_WP[1,0]"), speeds(&control)), (ball, wanted), "{generation}");
+            assert_eq!(control.without_place(), None);
+            // a program names the content
+            let plane = control.setting("$SCS_MEA_FEED_PLANE_VALUE").flatten();
+            let wanted = (generation != 1.0).then(|| (names[1].to_owned(), Some("_SPEED[1]".to_owned())));
+            assert_eq!(plane, wanted, "{generation}");
+        }
+    }
+
+    // oracle: peer (remedies of 61313 and 61416: 12 workpiece and 6 tool probes)
+    #[test]
+    fn a_newer_machine_has_its_own_number_of_probes() {
+        for (generation, counted, wanted) in [
+            (1.0, None, [3.0, 3.0, 3.0]),
+            (2.0, None, [12.0, 6.0, 6.0]),
+            (3.0, None, [12.0, 6.0, 6.0]),
+            (3.0, Some(2.0), [2.0, 2.0, 2.0]),
+            (3.0, Some(30.0), [12.0, 6.0, 6.0]),
+        ] {
+            let mut control = delivery(Dialect::Sinumerik);
+            control.set(GENERATION, generation);
+            for name in ["MD51600", "MD51602", "MD51603"] {
+                counted.into_iter().for_each(|count| control.set(name, count));
+            }
+            control.take_setting_data();
+            let fields = ["_CVAL[1]", "_CVAL[0]", "_CVAL[3]"].map(|counter| control.fields(counter));
+            assert_eq!(fields, wanted, "{generation} {counted:?}");
+            let last = format!("SD54600[{}]", wanted[0] - 1.0);
+            control.set(&last, 6.0);
+            assert_eq!(control.without_place(), None, "{last}");
+            let beyond = format!("SD54600[{}]", wanted[0]);
+            control.set(&beyond, 6.0);
+            let told = control.without_place().map(|(name, there)| (name, there.last().cloned()));
+            assert_eq!(told, (generation > 1.0).then_some((beyond, Some(last))), "{generation}");
         }
     }
 

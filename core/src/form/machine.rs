@@ -5,7 +5,7 @@ use crate::control::gud::{Element, Gud, System, Unit};
 use crate::control::idle::idle;
 use crate::control::machine_data::MACHINE_DATA;
 use crate::control::nct_data::NctDatum;
-use crate::control::setting_data::{SETTING_DATA, SettingDatum};
+use crate::control::setting_data::{SETTING_DATA, SettingDatum, replaces};
 use crate::control::versions::{Versions, versions};
 use crate::control::{Control, GENERATION, OLDER_JOG, Units, Value, gud, machine_data, nct_data};
 use crate::dialect::Dialect;
@@ -140,10 +140,11 @@ fn ours(name: &str, key: &str, choices: &'static [i64]) -> Setting {
     }
 }
 
-/// Settings of a datum, field by field.
+/// Settings of a datum, field by field, without those that newer controls have in setting data.
 fn of_datum(gud: &'static Gud, control: &Control) -> Vec<Setting> {
     let fields = (control.number(gud.counted) as usize).min(SHOWN);
-    let shown = gud.elements.iter().filter(|one| !one.internal);
+    let generation = control.number(GENERATION);
+    let shown = gud.elements.iter().filter(|one| !one.internal && !replaces(gud, one, generation));
     let places = shown.flat_map(|element| gud.places(element, fields).into_iter().map(move |at| (at, element)));
     let mut places: Vec<(Vec<usize>, &Element)> = places.collect();
     if !gud.counted.is_empty() {
@@ -176,9 +177,10 @@ fn setting(gud: &'static Gud, element: &Element, at: &[usize], basic: Units) -> 
 
 /// Settings of a setting datum: what its user datum says counts for it.
 fn of_setting_datum(datum: &'static SettingDatum, control: &Control) -> Vec<Setting> {
+    let generation = control.number(GENERATION);
     let of_its_own = |name: String| Setting {
         name,
-        key: datum.key(),
+        key: datum.key(generation),
         field: None,
         entry: Entry::Real,
         unit: "",
@@ -187,9 +189,9 @@ fn of_setting_datum(datum: &'static SettingDatum, control: &Control) -> Vec<Sett
         idle: true,
         versions: None,
     };
-    let one = |place: Option<usize>| match datum.older() {
+    let one = |place: Option<usize>| match datum.older(generation) {
         Some((gud, element)) => {
-            let older = setting(gud, element, &datum.older_place(place), control.basic_units);
+            let older = setting(gud, element, &datum.older_place(place, generation), control.basic_units);
             Setting { name: datum.spelled(place), field: None, source: Cited(""), versions: None, ..older }
         }
         None => of_its_own(datum.spelled(place)),

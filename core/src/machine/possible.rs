@@ -3,6 +3,7 @@
 use super::Setup;
 use crate::control::{Control, Edge, Frame, Value};
 use crate::geometry::FARTHEST;
+use crate::message::printable;
 use crate::refused::{Path, Refused};
 use crate::workpiece::{Cut, Cutter, PartErrors, Probe, Shape, Solid, Tool, ToolProbe, Turret};
 
@@ -92,7 +93,8 @@ impl Setup {
 
     /// Refuses data that the control does not have.
     pub(crate) fn has_its_data(&self) -> Result<(), Refused> {
-        self.control.data.iter().try_for_each(|(name, value)| datum(&self.control, name, value))
+        self.control.data.iter().try_for_each(|(name, value)| datum(&self.control, name, value))?;
+        has_its_settings(&self.control)
     }
 
     /// Refuses a probe, tools, tool probes and a part that cannot exist.
@@ -111,6 +113,17 @@ impl Setup {
         count("setup-solids", &at, solids.len(), SOLIDS)?;
         solids.iter().enumerate().try_for_each(|(number, one)| solid(&at.element(number), one))
     }
+}
+
+/// A setting datum that a newer control does not have, or not with this index, would count for nothing.
+fn has_its_settings(control: &Control) -> Result<(), Refused> {
+    let Some((name, there)) = control.without_place() else { return Ok(()) };
+    let path = Path::of(&["data", &name]);
+    let [first, .., last] = &there[..] else {
+        let key = if there.is_empty() { "setup-setting-other" } else { "setup-setting-single" };
+        return Err(Refused::new(key, path).text("name", printable(&name)));
+    };
+    Err(Refused::new("setup-setting-place", path).text("first", first).text("last", last))
 }
 
 fn edge_path(tool: i64, edge: i64) -> Path {

@@ -142,6 +142,7 @@ fn told(program: &Program, sites: &[CallSite], after: &[CallSite], done: Told, c
     let mut indices = Vec::with_capacity(plans.len());
     for Plan { index, written, .. } in plans {
         indices.push(index);
+        converted.findings.extend(sites.get(index).and_then(|site| unused(site, &written)));
         converted.findings.extend(written.findings);
         if let Some((site, after)) = sites.get(index).zip(after.get(index)) {
             converted.findings.extend(left_out(program, site));
@@ -208,6 +209,22 @@ fn left_out(program: &Program, site: &CallSite) -> Option<Diagnostic> {
     let lost = arguments::only_newer(program, site.newer_list()?, site.span);
     let names: Vec<String> = lost.iter().map(|(name, text)| format!("{name} = {text}")).collect();
     (!names.is_empty()).then_some(own::CONVERT_LOST.finding().text("names", names.join(", ")))
+}
+
+/// The assignments that go with the call and say nothing to it: no way of writing has them.
+fn unused(site: &CallSite, written: &Written) -> Option<Diagnostic> {
+    let told = |name: &Name| written.findings.iter().any(|one| one.message.word("name") == Some(name.as_str()));
+    let goes = |name: &&Name| {
+        let place = site.own_place(name.as_str());
+        let outside = place.is_some_and(|place| place.end <= site.span.start || place.start >= site.span.end);
+        let value = site.values.get(name.as_str()).map_or("", String::as_str);
+        let nothing = matches!(parse(value), Parsed::Empty | Parsed::Number(0.0));
+        outside && !nothing && site.expression(name.as_str()).is_none() && !written.said.contains(name) && !told(name)
+    };
+    let names: Vec<String> =
+        site.places.keys().filter(goes).map(|name| format!("{name}={}", site.values[name.as_str()])).collect();
+    let finding = own::CONVERT_UNUSED.finding().text("cycle", site.cycle.name).text("names", names.join(", "));
+    (!names.is_empty()).then_some(finding)
 }
 
 /// Nothing is done, and why.

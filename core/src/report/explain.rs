@@ -6,8 +6,8 @@ use crate::catalogue::newer::arguments::Argument;
 use crate::catalogue::{CYCLES, r_parameters, subroutines};
 use crate::control::idle::idle;
 use crate::control::machine_data::MACHINE_DATA;
-use crate::control::setting_data;
 use crate::control::versions::{Versions, versions};
+use crate::control::{OF_LISTS, setting_data};
 use crate::entry::{Cycle, Variant};
 use crate::manual::Cited;
 use crate::message::Message;
@@ -135,8 +135,8 @@ pub fn arguments(asked: &str, words: &Words) -> String {
 /// A setting datum of newer controls by its number, `SD54600`, or identifier. Empty: none has it.
 pub fn setting_datum(asked: &str, words: &Words) -> String {
     let Some(datum) = setting_data::find(asked) else { return String::new() };
-    let mut text = format!("{} {}: {}\n", datum.name(), datum.identifier(), words.key(datum.key()));
-    if let Some(line) = words.find(&Message::new(format!("{}.help", datum.key()))) {
+    let mut text = format!("{} {}: {}\n", datum.name(), datum.identifier(), words.key(datum.key(OF_LISTS)));
+    if let Some(line) = words.find(&Message::new(format!("{}.help", datum.key(OF_LISTS)))) {
         let _ = writeln!(text, "  {line}");
     }
     let _ = match datum.older_name().as_str() {

@@ -5,8 +5,9 @@ use crate::catalogue::newer::LISTS;
 use crate::catalogue::newer::alarms::NEWER;
 use crate::catalogue::newer::arguments::Argument;
 use crate::catalogue::{CYCLES, alarms};
+use crate::control::OF_LISTS;
 use crate::control::setting_data::SETTING_DATA;
-use crate::entry::{ArgumentList, When};
+use crate::entry::{ArgumentList, When, names};
 use crate::message::{Arg, Message};
 use crate::report::foreign;
 use crate::report::markdown::{line, rows, table};
@@ -35,8 +36,8 @@ pub fn page(words: &Words) -> String {
         );
     }
     let settings = SETTING_DATA.iter().map(|datum| {
-        let label = words.key(datum.key());
-        let help = words.find(&Message::new(format!("{}.help", datum.key())));
+        let label = words.key(datum.key(OF_LISTS));
+        let help = words.find(&Message::new(format!("{}.help", datum.key(OF_LISTS))));
         let meaning = help.map_or_else(|| label.clone(), |help| format!("{label}. {help}"));
         [datum.name(), format!("`{}`", datum.identifier()), meaning, datum.older_name()]
     });
@@ -51,6 +52,8 @@ pub fn page(words: &Words) -> String {
     text.trim_end().to_owned() + "\n"
 }
 
+const SIMULATED: &str = "generations-simulated";
+
 /// What is read, written and simulated of a list, and why not.
 fn summary(list: &'static ArgumentList, words: &Words) -> [String; 5] {
     let entry = CYCLES.iter().find(|cycle| cycle.name == list.name);
@@ -59,7 +62,11 @@ fn summary(list: &'static ArgumentList, words: &Words) -> [String; 5] {
         _ => String::new(),
     };
     let reason = if entry.is_some() { "generations-digits" } else { "generations-no-counterpart" };
+    let measures = list.position(names::MVAR).is_some();
     let done = |key: &'static str| {
+        if key == SIMULATED && entry.is_none() && !measures {
+            return words.key("generations-shows");
+        }
         let with = || {
             let message = Message { args: vec![("variants", Arg::Text(variants.clone()))], ..Message::new(key) };
             let tool = Argument::all(list).any(|one| one.name == "S_KNUM1").then(|| words.key("generations-no-tool"));
@@ -72,7 +79,7 @@ fn summary(list: &'static ArgumentList, words: &Words) -> [String; 5] {
         list.args.len().to_string(),
         words.key("generations-read"),
         done("generations-written"),
-        done("generations-simulated"),
+        done(SIMULATED),
     ]
 }
 

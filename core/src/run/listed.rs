@@ -1,7 +1,7 @@
 //! Calls with arguments in brackets: `CYCLE_PARA(…)`, the parameterizing calls, the lists of newer controls.
 
 use super::names::{read as read_name, write as write_name};
-use super::{Call, Datum, Halt, Interpreter, call, cycle};
+use super::{Call, Datum, Halt, Interpreter, call, cycle, noted};
 use crate::catalogue::{CYCLES, find, list};
 use crate::check::{self, Sort, listed, newer};
 use crate::control::Value;
@@ -51,18 +51,17 @@ fn without(run: &mut Interpreter, call: &Call) -> Result<bool, Halt> {
     if let Some(finding) = many.or_else(unmatched) {
         return Err(stopped(run, call, &call.name, finding));
     }
-    let alone = list::newer_alone(&call.name).filter(|_| !call.args.is_empty());
-    if let Some((list, _)) = alone {
-        run.diagnostics.push(own::NEWER_ALONE.finding().text("cycle", list.name).on(call.span));
-    }
-    match alone {
-        // it writes what it was given on a screen or into a file
-        Some((list, false)) => {
-            run.tell(Severity::Warning, &Problem::new("run-not-simulated", call.span, list.name));
+    match list::newer_alone(&call.name) {
+        // it shows and logs what was measured, and moves nothing
+        Some((list, false)) if run.programs.named(&call.name).is_none() => {
+            noted::without(run, "run-result-screen", call.span, list.name);
             Ok(true)
         }
-        Some((list, true)) => Err(Problem::new("run-no-simulation", call.span, list.name).into()),
-        None => Ok(false),
+        Some((list, true)) if !call.args.is_empty() => {
+            run.diagnostics.push(own::NEWER_ALONE.finding().text("cycle", list.name).on(call.span));
+            Err(Problem::new("run-no-simulation", call.span, list.name).into())
+        }
+        _ => Ok(false),
     }
 }
 

@@ -55,6 +55,7 @@ mod restart;
 mod rounded;
 mod rules;
 pub mod scanning;
+mod setting;
 mod sprint;
 mod standard;
 mod statement;

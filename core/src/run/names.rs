@@ -2,7 +2,7 @@
 
 use super::{
     Datum, Home, Interpreter, Keeper, action::machine_function, defined, evaluate, expression::element, indices,
-    locals, macro_variables, of_machine, own_parameters, stem, system, tool_memory, unread,
+    locals, macro_variables, of_machine, own_parameters, setting, stem, system, tool_memory, unread,
 };
 use crate::catalogue::CYCLES;
 use crate::control::{Control, Frame, Value, arrays, gud, machine_data, rotary::is_angle};
@@ -64,6 +64,9 @@ pub fn read(run: &Interpreter, key: &str, place: Span) -> Result<Datum, Problem>
     let key = home.key.as_str();
     if let Some(value) = constant(key) {
         return Ok(value);
+    }
+    if let Some(value) = setting::read(run, key, place) {
+        return value;
     }
     if key.starts_with('$') {
         return system::read(run, key, place);
@@ -159,6 +162,9 @@ fn write_one(run: &mut Interpreter, key: &str, value: &Datum, place: Span) -> Re
     let Some(stored) = value.value() else { return Err(Problem::new("run-not-a-number", place, key)) };
     if matches!(value, Datum::Text(text) if text.chars().count() > TEXT) {
         return Err(Problem::new("run-text-long", place, key).number("limit", TEXT as f64));
+    }
+    if let Some(written) = setting::write(run, key, value, place) {
+        return written;
     }
     if key.starts_with('$') && !system::MASKS.contains(&key) && !system::FREE.contains(&stem(key)) {
         return write_variable(run, key, value, place);

@@ -123,3 +123,15 @@ fn selections_are_written_for_a_variant_that_is_known() {
     assert_eq!(same, text);
     assert_eq!(findings, ["write-variant-open"]);
 }
+
+// oracle: hand (a multi probe has no correction angle, a zero offset no memory: the list has no place for what is
+// written there)
+#[test]
+fn values_that_count_for_nothing_do_not_go_in_silence() {
+    let values = "_MVAR=101 _KNUM=1 _SETVAL=50 _PRNUM=1 _FA=2 _TSA=5 _VMS=0 _NMSP=1";
+    for (more, told) in [("", false), (" _CORA=1", true), (" _CORA=0", false)] {
+        let (list, why) = converted(&format!("{values}{more}\nCYCLE977\nM30\n"), 0, Style::Operate);
+        assert!(list.starts_with("CYCLE977(101,1,"), "{list}");
+        assert_eq!(why.contains(&"convert-unused".to_owned()), told, "{more}: {why:?}");
+    }
+}

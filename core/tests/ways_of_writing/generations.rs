@@ -36,6 +36,11 @@ fn a_program_of_another_generation_is_told_once() {
         (no_counterpart, ["", "generation-list", "generation-list", ""]),
         (assigned, ["", "", "", "generation-assigned"]),
         ("G0 X1\nCYCLE116\n", ["", "", "", ""]),
+        ("$SNS_MEA_WP_BALL_DIAM[0]=6\nR1=$SCS_MEA_FEED_PLANE_VALUE\n", ["", "generation-setting-data", "", ""]),
+        ("_WP[0,0]=6\n_SPEED[1]=500\n", ["", "", "generation-user-data", "generation-user-data"]),
+        ("R1=_TP[0,6]*2\n", ["", "", "generation-user-data", "generation-user-data"]),
+        ("DEF REAL _WP[3,11]\n_WP[0,0]=6\n", ["", "", "", ""]),
+        ("R1=_OVR[4]\n", ["", "", "", ""]),
     ] {
         for (generation, wanted) in wanted.into_iter().enumerate() {
             let wanted: Vec<&str> = Some(wanted).filter(|key| !key.is_empty()).into_iter().collect();
@@ -124,9 +129,56 @@ fn a_run_stops_at_a_call_that_is_not_understood() {
         let keys: Vec<&str> = outcome.diagnostics.iter().map(|one| &*one.message.key).collect();
         assert!(keys.contains(&why) && keys.contains(&"run-no-simulation"), "{keys:?}");
     }
-    let outcome = go("G17 G54 T9 D1 M6\nCYCLE150(1,,1001)\nG0 X1\nM30\n");
-    assert_eq!(outcome.stop, None);
-    assert_eq!(outcome.diagnostics.len(), 1);
+    for call in ["CYCLE150(1,,1001)", "CYCLE150(10,,1,,\"\")", "CYCLE150()", "CYCLE150"] {
+        let outcome = go(&format!("G17 G54 T9 D1 M6\n{call}\n{call}\nG0 X1\nM30\n"));
+        assert_eq!(outcome.stop, None);
+        let keys: Vec<&str> = outcome.diagnostics.iter().map(|one| &*one.message.key).collect();
+        assert_eq!(keys, ["run-result-screen"], "{call}");
+    }
+}
+
+// oracle: peer (remedies of 61313 and 61416: workpiece probes 1 to 12, tool probes 1 to 6)
+#[test]
+fn newer_controls_have_more_probes() {
+    let refused = |text: &str, generation: f64| {
+        let found = findings_on(&read(Dialect::Sinumerik, text.as_bytes()), of_generation(generation));
+        found.iter().any(|one| one.message.key == "check-probe-number")
+    };
+    for number in 1..=14 {
+        let assigned = format!("_MVAR=101 _KNUM=1 _SETVAL=132 _PRNUM={number} _FA=2\nCYCLE977\n");
+        for (generation, most) in [(0.0, 3), (1.0, 3), (2.0, 12), (3.0, 12)] {
+            assert_eq!(refused(&assigned, generation), number > most, "{number} {generation}");
+        }
+        let list = format!("CYCLE977(101,1,,{number},132,,,2,1)\n");
+        assert_eq!(refused(&list, 3.0), number > 12, "{number}");
+        let tool = format!("_MVAR=1 _MA=3 _PRNUM={number} _FA=2\nCYCLE971\n");
+        assert_eq!(refused(&tool, 2.0), number > 6, "{number}");
+    }
+}
+
+// oracle: hand (a setting datum that is written is the one that is read, and what measures reads)
+#[test]
+fn a_program_writes_and_reads_setting_data() {
+    let text = "$SNS_MEA_WP_BALL_DIAM[4]=6.5\n$SCS_MEA_FEED_RAPID_IN_PERCENT=40\n$SNS_MEA_FUNCTION_MASK=5\n\
+        R1=$SNS_MEA_WP_BALL_DIAM[4]\nR2=$SNS_MEA_WP_BALL_DIAM[0]\nR3=$SNS_MEA_FUNCTION_MASK\nM30\n";
+    for generation in [1.0, 2.0, 3.0] {
+        let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
+        setup.control.set(GENERATION, generation);
+        let ball = setup.control.number("_WP[0,0]");
+        let go = |text: &str| run(&read(Dialect::Sinumerik, text.as_bytes()), &setup, Limits::default());
+        let absent = |text: &str| {
+            let Some(Stop::Fault(message)) = go(text).stop else { return false };
+            message.key == "run-setting-absent"
+        };
+        assert_eq!(absent(text), generation == 1.0, "{generation}");
+        assert!(absent("R1=$SNS_MEA_WP_BALL_DIAM[12]\nM30\n"), "{generation}");
+        if generation > 1.0 {
+            let Outcome { control, stop, .. } = go(text);
+            assert_eq!(stop, None);
+            let names = ["R1", "R2", "R3", "_WP[4,0]", "_SPEED[0]", "SD54740"];
+            assert_eq!(names.map(|name| control.number(name)), [6.5, ball, 5.0, 6.5, 40.0, 5.0], "{generation}");
+        }
+    }
 }
 
 // oracle: self (`docs/generations.md` says of each variant whether it is written and simulated: by this condition)

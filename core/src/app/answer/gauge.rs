@@ -95,7 +95,7 @@ pub struct Limited {
 }
 
 impl Limited {
-    fn new(low: f64, high: f64, value: f64) -> Limited {
+    pub(super) fn new(low: f64, high: f64, value: f64) -> Limited {
         let limit = if value < 0.0 { low } else { high };
         let used = (limit.abs() > RESOLUTION).then(|| value / limit).filter(|share| *share >= 0.0);
         Limited { low, high, used }
@@ -109,9 +109,10 @@ const ENDS: f64 = 1.4;
 const RESOLUTION: f64 = 1e-9;
 
 impl Gauge {
-    /// The deviation that decides: the largest.
+    /// The deviation that decides, from the middle of the limits: the largest.
     pub(super) fn worst(&self) -> Option<f64> {
-        self.needles.iter().map(|needle| needle.value).max_by(|a, b| a.abs().total_cmp(&b.abs()))
+        let middle = (self.low + self.high) / 2.0;
+        self.needles.iter().map(|needle| needle.value - middle).max_by(|a, b| a.abs().total_cmp(&b.abs()))
     }
 
     /// The limit within which nothing is wrong.
@@ -119,6 +120,9 @@ impl Gauge {
         self.bands.iter().rfind(|band| band.kind != BandKind::Bad).map(|band| band.to)
     }
 }
+
+/// The limits of a quantity by another source than the call, from those of the call; none: those of the call.
+pub(super) type Told<'a> = &'a dyn Fn(&Figure, [f64; 2]) -> Option<[f64; 2]>;
 
 /// Limits of a call, mm or degree.
 struct Limits {
@@ -133,12 +137,14 @@ struct Limits {
 }
 
 /// The gauge of a call; none where nothing limits it, or nothing was measured. `sorts`: its quantities; those that it
-/// watches are told their limits.
+/// watches are told their limits. `told`: the limits of a quantity by another source than the call, where the call has
+/// a tolerance (its limits go in); none: those of the call.
 pub(super) fn gauge(
     called: &Called,
     entries: &[Entry],
     control: &Control,
     sorts: &mut [(Sort, Figure)],
+    told: Told<'_>,
 ) -> Option<Gauge> {
     let inputs = &called.inputs;
     let limits = limits(inputs)?;
@@ -148,36 +154,39 @@ pub(super) fn gauge(
     let factor = called.units.factor();
     let per = |value: f64| shown(value, unit, factor);
     let watched = sorts.iter_mut().filter(|(sort, figure)| watches(*sort, inputs, chain) && figure.deviation.is_some());
-    let [(_, low), (_, high)] = limits.outer.map(|(name, value)| (name, per(value)));
+    let own = limits.outer.map(|(_, value)| per(value));
     let mean = limits.mean.map(|(name, value)| (name, per(value)));
-    let kind = |value: f64| kind(value, low, high, mean.map(|(_, value)| value), limits.reached);
+    let mut scale = None;
     let needles: Vec<Needle> = watched
         .map(|(sort, figure)| {
             let value = figure.deviation.unwrap_or(0.0) - offset;
+            let [low, high] = Some(own).filter(|_| chain).and_then(|own| told(figure, own)).unwrap_or(own);
+            scale.get_or_insert([low, high]);
             figure.limits = Some(Limited::new(low, high, value));
-            Needle { label: label(*sort, &figure.symbol), value, kind: kind(value) }
+            let kind = kind(value, [low, high], mean.map(|(_, value)| value), limits.reached);
+            Needle { label: label(*sort, &figure.symbol), value, kind }
         })
         .collect();
-    if needles.is_empty() {
-        return None;
-    }
-    let ends = [ENDS * low, ENDS * high];
-    let others = limits.others.iter().flat_map(|(name, value)| [(*name, -per(*value)), (*name, per(*value))]);
-    let means = mean.into_iter().flat_map(|(name, value)| [(name, -value), (name, value)]);
-    let outer = limits.outer.iter().map(|(name, value)| (*name, per(*value)));
+    let [low, high] = scale?;
+    let (middle, half) = ((low + high) / 2.0, (high - low) / 2.0);
+    let ends = [middle - ENDS * half, middle + ENDS * half];
+    let others = limits.others.iter().map(|(name, value)| (*name, per(*value)));
     let others = others.filter(|(name, _)| *name != limits.outer[0].0);
-    let all = outer.chain(means).chain(others).filter(|(_, value)| (ends[0]..=ends[1]).contains(value));
+    let both = mean.into_iter().chain(others);
+    let both = both.flat_map(|(name, value)| [(name, middle - value), (name, middle + value)]);
+    let outer = [(limits.outer[0].0, low), (limits.outer[1].0, high)];
+    let all = outer.into_iter().chain(both).filter(|(_, value)| (ends[0]..=ends[1]).contains(value));
     let mut marks: Vec<Mark> = all.map(|(name, value)| Mark { name, value }).collect();
     marks.sort_by(|a, b| a.value.total_cmp(&b.value));
     let bands = bands(ends, [low, high], mean.map(|(_, value)| value));
     Some(Gauge { unit, low: ends[0], high: ends[1], bands, marks, needles })
 }
 
-fn kind(value: f64, low: f64, high: f64, mean: Option<f64>, reached: bool) -> BandKind {
+fn kind(value: f64, [low, high]: [f64; 2], mean: Option<f64>, reached: bool) -> BandKind {
     let slack = if reached { -RESOLUTION } else { RESOLUTION };
     if value > high + slack || value < low - slack {
         BandKind::Bad
-    } else if mean.is_some_and(|mean| value.abs() > mean + RESOLUTION) {
+    } else if mean.is_some_and(|mean| (value - (low + high) / 2.0).abs() > mean + RESOLUTION) {
         BandKind::Mean
     } else {
         BandKind::Good
@@ -186,8 +195,9 @@ fn kind(value: f64, low: f64, high: f64, mean: Option<f64>, reached: bool) -> Ba
 
 /// The scale from end to end.
 fn bands(ends: [f64; 2], outer: [f64; 2], mean: Option<f64>) -> Vec<Band> {
-    let mean = mean.filter(|mean| *mean < outer[1]);
-    let inner = mean.map_or(outer, |mean| [(-mean).max(outer[0]), mean.min(outer[1])]);
+    let (middle, half) = ((outer[0] + outer[1]) / 2.0, (outer[1] - outer[0]) / 2.0);
+    let mean = mean.filter(|mean| *mean < half);
+    let inner = mean.map_or(outer, |mean| [(middle - mean).max(outer[0]), (middle + mean).min(outer[1])]);
     let rows = [
         (BandKind::Bad, ends[0], outer[0]),
         (BandKind::Mean, outer[0], inner[0]),

@@ -1,7 +1,7 @@
 //! What a call came to on a real machine: its quantities with the values of a protocol.
 
 use super::figures::{Figure, Sort, found, measured as axis};
-use super::gauge::{BandKind, Gauge, gauge};
+use super::gauge::{BandKind, Gauge, Limited, gauge};
 use super::{Answer, Verdict, beyond, feature, inside};
 use crate::entry::{Inputs, ProbeUse};
 use crate::geometry::{Dir, Wcs};
@@ -19,6 +19,10 @@ pub struct Value {
     /// The setpoint that stands beside it, where that is another one than in the run: a centre may be expected where
     /// the probe stands.
     pub set: Option<f64>,
+    /// Half of the last digit of that setpoint.
+    pub half: f64,
+    /// Smallest and largest permissible value, where the protocol has them.
+    pub limits: Option<[f64; 2]>,
 }
 
 /// Values by the result that has them.
@@ -42,7 +46,16 @@ pub struct Deviates {
 pub fn measured(called: &Called, outcome: &run::Outcome, values: &Values) -> Answer {
     let (entries, _) = called.entries(outcome);
     let mut sorts = real(called, &entries, values);
-    let gauge = gauge(called, &entries, &outcome.control, &mut sorts);
+    let own: BTreeMap<&str, f64> =
+        found(called, &entries).into_iter().filter_map(|(_, figure)| Some((figure.name, figure.set?))).collect();
+    let told = |figure: &Figure, band: [f64; 2]| told(values.get(figure.name)?, figure, *own.get(figure.name)?, band);
+    let gauge = gauge(called, &entries, &outcome.control, &mut sorts, &told);
+    for (_, figure) in &mut sorts {
+        let limits = values.get(figure.name).and_then(|value| value.limits).zip(figure.set);
+        let limits = limits.zip(figure.deviation).filter(|_| figure.limits.is_none());
+        figure.limits =
+            figure.limits.or(limits.map(|(([low, high], set), by)| Limited::new(low - set, high - set, by)));
+    }
     let figures: Vec<Figure> = sorts.into_iter().map(|(_, figure)| figure).collect();
     let verdict = verdict(&called.inputs, gauge.as_ref());
     let words = if figures.is_empty() { "record-missing" } else { verdict.key() };
@@ -58,6 +71,22 @@ pub fn measured(called: &Called, outcome: &run::Outcome, values: &Values) -> Ans
         gauge,
     }
 }
+
+/// The tolerance about the setpoint that a protocol tells; none: that of the call, `band` about its own setpoint. The
+/// limits of the protocol come first. Limits that the call gives stay where they are while the setpoint is between
+/// them: the control measures from the middle of the tolerance, a log may tell the nominal value. Another setpoint is
+/// that of another place.
+fn told(value: &Value, figure: &Figure, own: f64, band: [f64; 2]) -> Option<[f64; 2]> {
+    let set = figure.set?;
+    if let Some(limits) = value.limits {
+        return Some(limits.map(|limit| limit - set));
+    }
+    let (by, [low, high], on) = (own - set, band, value.half + ON);
+    (low - on..=high + on).contains(&-by).then_some([low + by, high + by])
+}
+
+/// What a setpoint on a limit may be off by beside its last digit, in any unit.
+const ON: f64 = 1e-9;
 
 /// The quantities of a call that have a value.
 fn real(called: &Called, entries: &[Entry], values: &Values) -> Vec<(Sort, Figure)> {

@@ -106,7 +106,7 @@ pub(super) fn answer(called: &Called, outcome: &run::Outcome) -> Answer {
     let stop = outcome.stop.as_ref().filter(|_| !ended);
     let inputs = &called.inputs;
     let mut sorts = figures::found(called, entries);
-    let gauge = gauge::gauge(called, entries, &outcome.control, &mut sorts);
+    let gauge = gauge::gauge(called, entries, &outcome.control, &mut sorts, &|_, _| None);
     let raised = raised(entries);
     let over = gauge.as_ref().and_then(Gauge::worst).map(|worst| worst > 0.0);
     let (verdict, alarm) = verdict(inputs, stop, raised, over, gauge.is_some());

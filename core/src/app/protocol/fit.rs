@@ -18,7 +18,9 @@ pub struct Quantity {
     /// As it was measured.
     pub actual: Option<f64>,
     /// The setpoint of the protocol where it is another one.
-    pub told: Option<f64>,
+    pub told: Option<Figure>,
+    /// Smallest and largest permissible value, where the protocol has them.
+    pub limits: Option<[f64; 2]>,
 }
 
 /// Farthest that an actual value without a difference beside it is from its setpoint, mm or degree.
@@ -68,6 +70,7 @@ impl<'a> Fit<'a> {
                 set: one.set,
                 actual: None,
                 told: None,
+                limits: None,
             }));
             starts.push(quantities.len());
         }
@@ -93,7 +96,7 @@ impl<'a> Fit<'a> {
         if let Some(heading) = self.heading(line) {
             return heading;
         }
-        let figures = line.fields.iter().filter_map(|field| Figure::of(field)).take(FIGURES);
+        let figures = line.fields.iter().filter_map(|field| line.figure(field)).take(FIGURES);
         let figures: Vec<Figure> = figures.collect();
         if figures.len() < 2 {
             return Err(Message::new("protocol-no-value"));
@@ -107,25 +110,25 @@ impl<'a> Fit<'a> {
             }
         }
         match best {
-            Some((_, index, actual)) => self.put(index, actual, None),
+            Some((_, index, actual)) => self.put(index, line, actual, None),
             None => {
                 let (index, set, actual) = self.following(&figures).ok_or_else(|| Message::new("protocol-no-call"))?;
-                self.put(index, actual, Some(set));
+                self.put(index, line, actual, Some(set));
             }
         }
         Ok(())
     }
 
-    fn put(&mut self, index: usize, actual: f64, told: Option<f64>) {
+    fn put(&mut self, index: usize, line: &Line, actual: f64, told: Option<Figure>) {
         let quantity = &mut self.quantities[index];
-        (quantity.actual, quantity.told) = (Some(actual), told);
+        (quantity.actual, quantity.told, quantity.limits) = (Some(actual), told, line.limits);
         self.from = self.from.max(self.starts[quantity.call]);
         self.last = Some(index);
     }
 
     /// The quantity behind that of the last line, or the next one of the call of the heading, for a line with setpoint,
     /// actual value and difference: where a centre is expected where the probe stands, its setpoint is another one.
-    fn following(&self, figures: &[Figure]) -> Option<(usize, f64, f64)> {
+    fn following(&self, figures: &[Figure]) -> Option<(usize, Figure, f64)> {
         let open = |index: &usize| self.quantities.get(*index).is_some_and(|one| one.actual.is_none());
         let call = |index: usize| self.quantities.get(index).map(|one| one.call);
         let behind = self.last.map(|last| last + 1).filter(|next| call(*next) == call(next - 1)).filter(open);
@@ -135,7 +138,7 @@ impl<'a> Fit<'a> {
         let near = |set: Figure| self.quantities[index].set.is_some_and(|own| (set.value - own).abs() <= NEAR);
         let mut sure = figures.iter().enumerate().filter(|(_, set)| near(**set)).filter_map(|(at, set)| {
             let (sure, actual) = actual(*set, &figures[at + 1..])?;
-            sure.then_some((index, set.value, actual))
+            sure.then_some((index, *set, actual))
         });
         sure.next()
     }
@@ -192,7 +195,7 @@ impl<'a> Fit<'a> {
         let number = |column: &Option<Column>| {
             let Some(column) = column else { return Ok(None) };
             let bad = || Message::new("protocol-no-number").text("column", &column.name).text("text", text(column));
-            Figure::of(text(column)).map(Some).ok_or_else(bad)
+            line.figure(text(column)).map(Some).ok_or_else(bad)
         };
         let call = self.called(number(&columns.number)?, number(&columns.line)?)?;
         let (nominal, deviation) = (number(&columns.nominal)?, number(&columns.deviation)?);
@@ -210,9 +213,9 @@ impl<'a> Fit<'a> {
             _ => return Err(Message::new("protocol-no-value")),
         };
         let own = self.quantities[index].set;
-        let told = nominal.filter(|nominal| own.is_some_and(|own| !nominal.is(own))).map(|nominal| nominal.value);
+        let told = nominal.filter(|nominal| own.is_some_and(|own| !nominal.is(own)));
         let (from, last) = (self.from, self.last);
-        self.put(index, actual, told);
+        self.put(index, line, actual, told);
         if call.is_some() {
             (self.from, self.last) = (from, last);
         }

@@ -149,7 +149,9 @@ pub fn laid(
     if let Some(what) = texts.iter().find_map(|text| recognise(text.as_ref().as_bytes()).err()) {
         return Err(refused(what));
     }
-    let lines: Vec<Line> = texts.iter().enumerate().flat_map(|(file, text)| lines(file, text.as_ref())).collect();
+    let units = outcome.called.first().map_or(setup.control.basic_units, |called| called.units);
+    let lines: Vec<Line> =
+        texts.iter().enumerate().flat_map(|(file, text)| lines(file, text.as_ref(), units)).collect();
     if lines.len() > MOST {
         return Err(Error::new("protocol-large", Path::default()).number("most", MOST as f64));
     }
@@ -177,7 +179,15 @@ pub fn laid(
     let mut values: BTreeMap<usize, Values> = BTreeMap::new();
     for one in &quantities {
         if let Some(actual) = one.actual {
-            values.entry(one.call).or_default().insert(one.name, Value { actual, set: one.told });
+            values.entry(one.call).or_default().insert(
+                one.name,
+                Value {
+                    actual,
+                    set: one.told.map(|set| set.value),
+                    half: one.told.map_or(0.0, |set| set.half),
+                    limits: one.limits,
+                },
+            );
         }
     }
     let missing = calls.len() - values.len();

@@ -300,3 +300,44 @@ fn a_log_in_groups_is_laid_onto_the_calls() {
     let near = |wanted: f64| first.iter().any(|one| (one - wanted).abs() < 1e-9);
     assert!(near(50.0259) && near(0.081) && near(-0.047), "{first:?}");
 }
+
+/// The log of a hole of 50 mm, in its own unit with as many decimals; with the limits that it was measured against.
+fn log_of_hole(actual: f64, inch: bool, with_limits: bool) -> String {
+    let one = |mm: f64| if inch { format!("{:.5}", mm / 25.4) } else { format!("{mm:.4}") };
+    let limits = format!("Maximum dimension for hole: {}\nMinimum dimension for hole: {}\n", one(50.045), one(50.0));
+    format!(
+        "Measuring log for touch probe cycle 421 Hole measuring\nType of dimension (0 = MM / 1 = INCH): {}\n\
+         Nominal values:\nDiameter: {}\nGiven limit values:\n{}Actual values:\nDiameter: {}\nDeviations:\n\
+         Diameter: {}\n",
+        u8::from(inch),
+        one(50.0),
+        if with_limits { &limits } else { "" },
+        one(actual),
+        one(actual - 50.0),
+    )
+}
+
+// oracle: peer (TNC7, log of cycle 421: 12.0259 between 12 and 12.045 is a good hole); hand: the control measures from
+// the middle of the tolerance, the log tells the nominal value, in mm or in inches
+#[test]
+fn a_log_with_the_nominal_value_is_judged_by_the_same_limits() {
+    let text = "G17 G54 G90 T9 D1\nM6\nG0 X0 Y0\nG0 Z-10\n_PRNUM=1 _SETVAL=50 _KNUM=0 _FA=2 _TSA=1 _MVAR=1 _VMS=0\n\
+        _NMSP=1 _TUL=0.045 _TLL=0 _TZL=0.01 _TMV=0.02 _TDIF=0.5 _K=1 _EVNUM=0 _STA1=0\nCYCLE977\nM30\n";
+    let nominal = machine(0.0, [0.0; 2]);
+    let outcome =
+        Session::new(syntax::read(Dialect::Sinumerik, text.as_bytes()), &nominal, Limits::default()).complete();
+    for (actual, wanted) in
+        [(50.0259, Verdict::Within), (50.001, Verdict::Within), (50.048, Verdict::Scrap), (49.995, Verdict::Rework)]
+    {
+        for (inch, with_limits) in [(false, false), (false, true), (true, false), (true, true)] {
+            let log = log_of_hole(actual, inch, with_limits);
+            let view = laid(&[log.as_str()], None, &nominal, &outcome).unwrap();
+            assert_eq!(view.fitted, 1, "{log}{:?}", view.unfit);
+            let answer = &view.answers[0].answer;
+            assert_eq!(answer.verdict, wanted, "{log}");
+            let (set, limits) = (answer.figures[0].set.unwrap(), answer.figures[0].limits.unwrap());
+            let told = [set, set + limits.low, set + limits.high, answer.figures[0].actual];
+            assert!(near(&told, &[50.0, 50.0, 50.045, actual], 4e-4), "{log}{told:?}");
+        }
+    }
+}

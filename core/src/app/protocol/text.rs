@@ -1,6 +1,7 @@
 //! The lines of a protocol in fields, and the figures in them, whatever wrote it: the log of a control, a table.
 
-use crate::foreign::{self, LogRow};
+use crate::control::Units;
+use crate::foreign::{self, Log, LogRow};
 
 /// A line of a protocol.
 #[derive(Clone, Debug, PartialEq)]
@@ -13,6 +14,10 @@ pub struct Line {
     pub text: String,
     /// Its fields without the blanks around them.
     pub fields: Vec<String>,
+    /// Units of the calls in one unit of its figures.
+    pub factor: f64,
+    /// Smallest and largest permissible value where the log has them, in the unit of the calls.
+    pub limits: Option<[f64; 2]>,
 }
 
 /// A figure with as many decimals as it has.
@@ -30,10 +35,11 @@ const LOOKED_AT: usize = 200;
 const UNITS: [&str; 5] = ["mm", "inch", "in", "°", "deg"];
 
 /// The lines in which something stands; of the log of a control whose figures stand in groups, a line each quantity.
-pub fn lines(file: usize, text: &str) -> Vec<Line> {
+/// `units`: those of the calls.
+pub fn lines(file: usize, text: &str, units: Units) -> Vec<Line> {
     let text = text.trim_start_matches('\u{feff}');
     if let Some((_, logs)) = foreign::logs(text) {
-        return logs.into_iter().flat_map(|log| log.rows).map(|row| of_row(file, row)).collect();
+        return logs.into_iter().flat_map(|log| of_log(file, log, units)).collect();
     }
     let all = || text.lines().filter(|line| line.contains(char::is_alphanumeric));
     let parted = [';', '\t', ','].into_iter().find(|sign| {
@@ -43,13 +49,35 @@ pub fn lines(file: usize, text: &str) -> Vec<Line> {
         2 * with > count || (*sign == ',' && with > 0)
     });
     let numbered = text.lines().zip(1..).filter(|(line, _)| line.contains(char::is_alphanumeric));
-    numbered.map(|(line, number)| Line { file, number, text: line.to_owned(), fields: fields(line, parted) }).collect()
+    let read = |(line, number): (&str, u32)| {
+        let (text, fields) = (line.to_owned(), fields(line, parted));
+        Line { file, number, text, fields, factor: 1.0, limits: None }
+    };
+    numbered.map(read).collect()
+}
+
+/// The quantities of such a log, which says the unit of its lengths.
+fn of_log(file: usize, log: Log, units: Units) -> Vec<Line> {
+    let own = if log.is_inch { Units::Inch } else { Units::Metric };
+    let lengths = own.factor() / units.factor();
+    let of_row = |row: LogRow| of_row(file, row, lengths);
+    log.rows.into_iter().map(of_row).collect()
 }
 
 /// A quantity of such a log: its name, set value, actual value and deviation.
-fn of_row(file: usize, row: LogRow) -> Line {
+fn of_row(file: usize, row: LogRow, lengths: f64) -> Line {
+    let factor = if row.label.to_ascii_lowercase().contains("angle") { 1.0 } else { lengths };
+    let limit = |text: &str| Some(Figure::of(text)?.times(factor).value);
+    let limits = limit(&row.minimum).zip(limit(&row.maximum)).map(|(low, high)| [low, high]);
     let fields = vec![row.label, row.nominal, row.actual, row.deviation];
-    Line { file, number: row.line, text: fields.join(" "), fields }
+    Line { file, number: row.line, text: fields.join(" "), fields, factor, limits }
+}
+
+impl Line {
+    /// A field as a figure in the unit of the calls; none: it is none.
+    pub fn figure(&self, field: &str) -> Option<Figure> {
+        Figure::of(field).map(|figure| figure.times(self.factor))
+    }
 }
 
 /// The fields of a line, in quotes or not; without a sign between them blanks part them.
@@ -88,6 +116,16 @@ impl Figure {
         let decimals = number.split_once('.').map_or(0, |(_, decimals)| decimals.len());
         let value = number.parse().ok().filter(|value: &f64| value.abs() < 1e9)?;
         Some(Figure { value, half: 0.5 * 0.1_f64.powi(decimals.min(12) as i32) })
+    }
+
+    /// The same in another unit, with no more decimals than it says there.
+    fn times(self, factor: f64) -> Figure {
+        if factor == 1.0 {
+            return self;
+        }
+        let half = self.half * factor;
+        let digit = 10.0_f64.powf(half.log10().floor());
+        Figure { value: (self.value * factor / digit).round() * digit, half: half + digit / 2.0 }
     }
 
     /// Whether this value, rounded to so many decimals, is the figure.

@@ -22,7 +22,7 @@ pub fn list(path: &Path, view: &ForeignView, words: &Words, out: &mut dyn Write)
     }
     for log in &view.logs {
         let head = Message::new("foreign-log").text("cycle", log.cycle.as_str()).text("program", log.program.as_str());
-        let head = head.text("date", log.date.as_str()).text("time", log.time.as_str());
+        let head = head.text("date", log.date.as_str()).text("time", log.time.as_str()).text("unit", log.unit);
         writeln!(out, "{path}: {}", words.text(&head))?;
         for figure in &log.figures {
             writeln!(out, "    {}", told(figure))?;

@@ -55,7 +55,7 @@ fn task(machine: &mut dyn Machine, stand: &Stand, repetition: u32) -> Result<Nex
 /// task does not know (61314), and what `_CHBIT[20]` does not allow (61307, B:10088-10094).
 fn admitted(machine: &mut dyn Machine, inputs: &Inputs, only_turning: bool) -> Result<(), Stop> {
     let probe = inputs.number(names::PRNUM);
-    if probe < 1.0 || probe > machine.control().number(count(inputs)) {
+    if probe < 1.0 || probe > machine.control().fields(count(inputs)) {
         return Err(alarm(machine, 61313));
     }
     // lengths lie along the axes of the machine, so that a turned system would take them for others

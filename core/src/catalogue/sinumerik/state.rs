@@ -7,7 +7,8 @@ use crate::control::{Frame, Value, gud, probe::Unfit};
 /// Bit of MD28082 for the system frame of the cycles (A:15840, B:1977).
 const CYCLE_FRAME: u32 = 5;
 
-/// Arrays that must have as many fields as the control says (B:13345-13348).
+/// Arrays that must have as many fields as the control says (B:13345-13348); newer controls have them in setting data,
+/// which are there.
 const FIELDS: [&str; 4] = ["_TP", "_WP", "_KB", "_TPW"];
 
 /// Whether the workpiece cycles of this sort of machine take a control in this state; else the number of the alarm. A
@@ -35,7 +36,7 @@ pub fn with_edge(control: &Control) -> Result<&Edge, u32> {
     if software(control) < 3.0 {
         return Err(61342); // A:15883, B:13682
     }
-    if FIELDS.iter().any(|array| !fits(control, array)) {
+    if !control.has_setting_data() && FIELDS.iter().any(|array| !fits(control, array)) {
         return Err(61416); // A:15935
     }
     if control.chain().iter().any(Frame::scaled) {
@@ -93,6 +94,21 @@ mod tests {
             let mut control = control();
             change(&mut control);
             assert_eq!(fit(&control, MachineSort::Milling), Err(number));
+        }
+    }
+
+    // oracle: peer (remedies of 61313 and 61416 of newer controls: 12 workpiece and 6 tool probes, counted by
+    // MD51600 to MD51603): however many fields it counts, none of them is missing
+    #[test]
+    fn a_newer_control_has_the_fields_that_it_counts() {
+        for generation in [2.0, 3.0] {
+            for (datum, fields) in [("MD51600", 12.0), ("MD51601", 9.0), ("MD51602", 6.0), ("MD51603", 1.0)] {
+                let mut control = Setup::calibrated(Dialect::Sinumerik, Plane::G17).control;
+                control.set(crate::control::GENERATION, generation);
+                control.set(datum, fields);
+                control.take_setting_data();
+                assert_eq!(fit(&control, MachineSort::Milling), Ok(()), "{datum}={fields}");
+            }
         }
     }
 

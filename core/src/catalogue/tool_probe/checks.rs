@@ -15,7 +15,7 @@ pub fn refused(number: u32, message: Message, hint: &'static str, at: Name) -> D
 /// A probe number beyond the data fields (A:15852).
 pub fn number(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     let array = count(inputs);
-    let fields = control.number(array);
+    let fields = control.fields(array);
     let number = inputs.number(names::PRNUM);
     if number > fields {
         let message = Message::new("check-probe-number").number("number", number);

@@ -50,9 +50,9 @@ pub fn setting(name: &str) -> Option<&'static str> {
 
 /// Beginnings of names that only the machine has a value for: machine and setting data, inputs, outputs and data of
 /// the PLC, real values of axes and channel, states of the program, data of tools and magazines.
-const OF_MACHINE: [&str; 19] = [
-    "$MN_", "$MC_", "$MA_", "$MM_", "$MNS_", "$MCS_", "$MAS_", "$SN_", "$SC_", "$SA_", "$A_", "$AN_", "$AC_", "$AA_",
-    "$VA_", "$VC_", "$VN_", "$P_", "$TC_",
+const OF_MACHINE: [&str; 21] = [
+    "$MN_", "$MC_", "$MA_", "$MM_", "$MNS_", "$MCS_", "$MAS_", "$SN_", "$SC_", "$SA_", "$SNS_", "$SCS_", "$A_", "$AN_",
+    "$AC_", "$AA_", "$VA_", "$VC_", "$VN_", "$P_", "$TC_",
 ];
 
 /// Whether only the machine has a value for such a name; frames and cutting edges are those of the

@@ -142,7 +142,7 @@ fn on_machine(control: &Control, number: i64) -> bool {
 
 /// Whether some workpiece probe of the machine is calibrated: then its data are known, and another one is not.
 fn known_machine(control: &Control) -> bool {
-    (1..=control.number("_CVAL[1]").clamp(0.0, 99.0) as i64).any(|number| on_machine(control, number))
+    (1..=control.fields("_CVAL[1]").clamp(0.0, 99.0) as i64).any(|number| on_machine(control, number))
 }
 
 /// The array and the number of the data in which the probe of a call is calibrated.

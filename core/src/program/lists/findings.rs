@@ -15,6 +15,8 @@ use crate::own;
 use crate::program::calls::CallSite;
 use crate::syntax::{Program, SyntaxError};
 
+/// Mode of a call that says where the centre is.
+const BESIDE: f64 = 10.0;
 /// mm of an inch.
 const INCH: f64 = 25.4;
 
@@ -89,13 +91,18 @@ fn inch_path(program: &Program, site: &CallSite, call: &ListCall) -> Option<Diag
 fn shifted(program: &Program, call: &ListCall) -> Option<Diagnostic> {
     let texts: Vec<&str> = call.arguments.iter().map(|argument| argument.text.as_str()).collect();
     let wrong = misplaced(call, &texts)?;
-    let lost = (1..=wrong).map(|at| (at, with(&texts, at))).filter(|(_, texts)| fits(call, texts));
-    let many = (1..=wrong).filter(|at| texts.get(*at).is_some_and(|text| text.is_empty()));
-    let many = many.map(|at| (at, without(&texts, at))).filter(|(_, texts)| fits(call, texts));
-    let lost = different(call, lost);
-    let many = if lost.is_empty() { different(call, many) } else { Vec::new() };
-    let (sentence, places) = if lost.is_empty() { (own::NEWER_MANY, &many) } else { (own::NEWER_LOST, &lost) };
-    let (at, _) = places.first()?;
+    let lost = |missing| {
+        let all = (1..=wrong).map(|at| (at, with(&texts, at)));
+        different(call, all.filter(|(_, texts)| fits(call, texts, missing)))
+    };
+    let many = || {
+        let all = (1..=wrong).filter(|at| texts.get(*at).is_some_and(|text| text.is_empty()));
+        different(call, all.map(|at| (at, without(&texts, at))).filter(|(_, texts)| fits(call, texts, 0)))
+    };
+    // what is lost may be something that programs always have
+    let ways = [(own::NEWER_LOST, lost(0)), (own::NEWER_MANY, many()), (own::NEWER_LOST, lost(1))];
+    let (sentence, places) = ways.into_iter().find(|(_, places)| !places.is_empty())?;
+    let (at, _) = if sentence == own::NEWER_LOST { places.last()? } else { places.first()? };
     let finding = sentence.finding().number("place", *at as f64 + 1.0).on(call.span);
     let mut all = call.arguments.iter().map(|argument| argument.place).chain([call.span]);
     if places.len() > 1 || all.any(|place| program.is_of_macro(place)) {
@@ -142,24 +149,35 @@ fn different<'a>(call: &ListCall, all: impl Iterator<Item = (usize, Vec<&'a str>
     found
 }
 
-/// The first argument that tells of a shift: a text where none belongs, a probe that no control has. What else is wrong
-/// may be a wrong value.
+/// Arguments that tell of a shift by a number that cannot stand there; in the lists that are understood, those behind
+/// the first too.
+const TELLING: [&str; 7] = ["S_PRNUM", "S_MCBIT", "_DMODE", "S_MA", DIRECTION, "S_NMSP", "_DP"];
+
+/// The first argument that tells of a shift: a text where none belongs, a number that no program has there. What else
+/// is wrong may be a wrong value.
 fn misplaced(call: &ListCall, texts: &[&str]) -> Option<usize> {
+    let known = if call.list.is_written() { &TELLING[..] } else { &TELLING[..1] };
     let tells = |index: &usize| {
         let text = texts.get(*index).copied().unwrap_or_default();
-        let probe = Argument::at(call.list, *index).name == "S_PRNUM";
-        (probe || text.starts_with('"')) && cannot_stand(call, *index, text)
+        let telling = known.contains(&Argument::at(call.list, *index).name);
+        (telling || text.starts_with('"')) && cannot_stand(call, *index, text)
     };
     (0..texts.len()).find(tells)
 }
 
-/// Whether each argument can be what it is, and what programs always have is there, in the lists that are understood.
-fn fits(call: &ListCall, texts: &[&str]) -> bool {
+/// Whether each argument can be what it is, and what programs always have is there, in the lists that are understood:
+/// but for so many.
+fn fits(call: &ListCall, texts: &[&str], lacking: usize) -> bool {
     let empty = |name: &str| call.index(name).is_some_and(|index| texts.get(index).is_none_or(|text| text.is_empty()));
     let size = call.index("S_SETV0").map_or("S_SETV", |_| if empty("S_SETV") { "S_SETV0" } else { "S_SETV" });
-    let missing = ["S_PRNUM", "S_FA", size].into_iter().any(empty);
+    let missing = ["S_PRNUM", "S_FA", size].into_iter().filter(|name| empty(name)).count();
+    let missing = if call.list.is_written() { missing } else { 0 };
     let stands = |(index, text): (usize, &&str)| !cannot_stand(call, index, text);
-    texts.iter().enumerate().all(stands) && !(call.list.is_written() && missing)
+    // a centre beside the start goes with its mode
+    let centre = ["S_XM", "S_YM"].into_iter().any(|name| call.index(name).is_some() && !empty(name));
+    let mode = call.index("_AMODE").and_then(|index| Some(parse(texts.get(index)?)));
+    let alone = centre && matches!(mode, Some(Parsed::Number(mode)) if mode < BESIDE);
+    texts.iter().enumerate().all(stands) && missing == lacking && !alone
 }
 
 /// Whether a text cannot be this argument: a number outside what it can be, a name where a number belongs or the
@@ -171,12 +189,28 @@ fn cannot_stand(call: &ListCall, index: usize, text: &str) -> bool {
     }
     let Parsed::Number(number) = parse(text) else { return false };
     let whole = number.fract() == 0.0;
+    if call.list.is_written() && unheard(call, argument.name, number) {
+        return true;
+    }
     match argument.name {
         "S_TNAME" => true,
         "S_PRNUM" => !(whole && (1.0..=12.0).contains(&number)),
         "S_FA" => number <= 0.0,
         "S_TSA" => number < 0.0,
         "S_NMSP" => !(whole && number >= 1.0),
+        _ => false,
+    }
+}
+
+/// Whether no program has such a number there, in the lists that are understood: the working plane is 1, the options
+/// and the last argument are empty, the axes of CYCLE998 are two digits of an axis.
+fn unheard(call: &ListCall, name: &str, number: f64) -> bool {
+    let of_two_axes = call.index("S_SETV3").is_some();
+    match name {
+        "S_MCBIT" | "_DP" => true,
+        "_DMODE" => number < 1.0 || number.fract() != 0.0,
+        DIRECTION => ![1.0, MINUS].contains(&number),
+        "S_MA" => of_two_axes && !(101.0..=302.0).contains(&number),
         _ => false,
     }
 }

@@ -177,6 +177,34 @@ fn a_call_is_not_moved_on_suspicion() {
     }
 }
 
+// oracle: peer (published calls): whatever argument is left out, the call is told to be one short, but for those where
+// what follows can stand there too
+#[test]
+fn a_lost_argument_is_told_wherever_it_was() {
+    for (call, until) in [
+        ("CYCLE977(101,1,,1,50,,,10,5,0,1,1,,,1,\"\",,0,0.2,0.1,-0.1,0.34,1,0,,1,1)", 24),
+        ("CYCLE978(100,1,,1,50,10,5,1,2,1,\"\",,0,1.01,1.01,-1.01,0.34,1,0,,1,1)", 19),
+        ("CYCLE998(105,1,6,1,1,0,,10,5,102,1,20,,,,,1,0,1,)", 16),
+    ] {
+        let (head, rest) = call.split_once('(').unwrap();
+        let arguments: Vec<&str> = rest.trim_end_matches(')').split(',').collect();
+        assert!(!faults(&format!("{call}\n")).contains(&"newer-lost".to_owned()), "{call}");
+        for at in 1..=until {
+            let mut short = arguments.clone();
+            short.remove(at);
+            let text = format!("{head}({})\n", short.join(","));
+            assert_eq!(faults(&text), ["newer-lost"], "{text}");
+        }
+        // one value that no program has is a wrong value
+        for (at, value) in [(arguments.len() - 2, "7"), (3, "50")] {
+            let mut wrong = arguments.clone();
+            wrong[at] = value;
+            let text = format!("{head}({})\n", wrong.join(","));
+            assert!(!faults(&text).contains(&"newer-lost".to_owned()), "{text}");
+        }
+    }
+}
+
 // oracle: peer (S_MD is 1 or 2; the published list of CYCLE977 has 30 arguments); a reader takes any tail
 #[test]
 fn a_direction_and_arguments_that_are_not_published_are_noted() {

@@ -229,7 +229,7 @@ fn is_quoted(text: &str) -> bool {
 }
 
 /// What of a call in the list of a newer control has to be looked at before the first run: the measuring direction,
-/// which the older call does not say, and the infeed, whose sign differs between programs.
+/// which the older call does not say, the infeed, whose sign differs between programs, and the rotary axis.
 fn to_look_at(source: &Source, list: &'static ArgumentList) -> Vec<Diagnostic> {
     let has = |name: &str| Argument::all(list).any(|one| one.name == name);
     let direction = has(newer::DIRECTION) && own_value(source, newer::DIRECTION).is_empty();
@@ -237,7 +237,9 @@ fn to_look_at(source: &Source, list: &'static ArgumentList) -> Vec<Diagnostic> {
     let infeed = source.value(&names::ID).filter(|text| parse(text) != Parsed::Number(0.0));
     let infeed = infeed.filter(|_| Argument::all(list).any(|one| one.is_infeed() && one.param == Some(names::ID)));
     let infeed = infeed.map(|text| own::WRITE_INFEED.finding().text("value", text).at(names::ID));
-    direction.into_iter().chain(infeed).chain(coarse(source, list)).collect()
+    let rotary = source.value(&names::RA).filter(|_| list.position(names::RA).is_some());
+    let rotary = rotary.map(|text| own::WRITE_ROTARY.finding().text("value", text).at(names::RA));
+    direction.into_iter().chain(infeed).chain(rotary).chain(coarse(source, list)).collect()
 }
 
 /// The number of a settable zero offset whose coarse part the older control corrects by a user datum: in the list that

@@ -90,7 +90,7 @@ fn probe(control: &Control, inputs: &Inputs) -> Result<(i64, bool), u32> {
     let number = inputs.integer(names::PRNUM);
     // In a turret a mono probe is used as a multi probe (B:2277).
     let (mono, field) = (MONO.holds(inputs) && !turning(inputs), number % 100);
-    if field < 1 || field as f64 > control.number("_CVAL[1]") {
+    if field < 1 || field as f64 > control.fields("_CVAL[1]") {
         return Err(61313);
     }
     if mono && !control.spindle_positions {
