@@ -50,6 +50,18 @@ fn calls(outcome: &Outcome) -> usize {
     entries.filter(|entry| matches!(entry.step, Step::CallBegin { .. })).count()
 }
 
+// oracle: hand: a counted loop ends; whoever permits the work has it done, also with a record of that length
+#[test]
+fn a_counted_loop_goes_on_as_long_as_is_permitted() {
+    let text = "FOR R1=1 TO 12\nCYCLE101\nENDFOR\nM30";
+    let limits = Limits { calls: 10, ..Limits::default() };
+    assert_eq!(key(&ran(&machine(), Dialect::Sinumerik, text, limits)), "run-repeated");
+    let permitted = limits.permitted(Some(1_000_000));
+    assert!(ran(&machine(), Dialect::Sinumerik, text, permitted).finished());
+    assert_eq!((permitted.steps, permitted.trace), (Some(1_000_000), 1_000_000));
+    assert_eq!(limits.permitted(None), limits);
+}
+
 // oracle: hand: nothing changes from one pass to the next, or it swings
 #[test]
 fn what_comes_back_is_told_where_it_jumps_back() {

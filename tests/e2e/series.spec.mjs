@@ -53,9 +53,23 @@ describe("a series of parts", () => {
       wrong.map(({ id }) => id),
       [],
     );
-    await shown.getByLabel("Parts", { exact: true }).fill("many");
-    await shown.getByRole("button", { name: "Run series" }).click();
-    await shown.getByText("This is no number: many").waitFor();
+    // what is no such number is refused by the name of its field, and stays as typed
+    for (const [name, text, told] of [
+      ["Parts", "many", /Parts: enter a whole number from 1 to 10\D?000/],
+      ["Parts", "1.5", /Parts: enter a whole number/],
+      ["Parts", "20", null],
+      ["Seed", "-1", /Seed: enter a whole number from 0 to /],
+      ["Seed", "1.5", /Seed: enter a whole number/],
+      ["Seed", "", /Seed: enter a whole number/],
+      ["Seed", "99999999999999999999", /Seed: enter a whole number/],
+    ]) {
+      const field = shown.getByLabel(name, { exact: true });
+      await field.fill(text);
+      await shown.getByRole("button", { name: "Run series" }).click();
+      if (told) await shown.locator(".series-problem", { hasText: told }).waitFor();
+      assert.equal(await field.inputValue(), text);
+    }
+    await shown.getByLabel("Seed", { exact: true }).fill("1");
     // a problem has the words of the fields, not those of the setup file
     await shown.getByLabel("Parts", { exact: true }).fill("20");
     await shown.getByRole("button", { name: "Add what varies" }).click();

@@ -46,7 +46,7 @@ describe("a setter measures a bore and corrects G54", () => {
     await one.click(copyCall(page));
     assert.match(await copied(page), /_MVAR=101 _SETVAL=50\.02 _KNUM=1 .*_FA=6 _TSA=0\.5/);
     await result(page)
-      .filter({ hasText: /50\.050.*G54.*\+0\.084.*−0\.046.*Within limits/s })
+      .filter({ hasText: /50\.050.*G54.*\+0\.084.*−0\.046.*Within the safe area/s })
       .waitFor();
     await one.inSight(result(page));
     assert.ok(await fits(page), "nothing to scroll at the end");

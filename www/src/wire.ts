@@ -1365,7 +1365,7 @@ export type Figure = {
   deviation?: number,
   /** Unit at the call. */
   unit: string,
-  /** What limits its deviation; absent: nothing. */
+  /** Its tolerance; absent: it has none. */
   limits?: Limited,
 };
 
@@ -1638,9 +1638,9 @@ export type JogValue = number | string;
 /** What a label tells. */
 export type LabelKind = "frame" | "diameter" | "nominal" | "touched" | "touch" | "collision" | "size" | "anchor";
 
-/** What limits the deviation of a quantity. */
+/** The tolerance of a quantity, as the drawing gives it. A safe area or a dimension difference is none. */
 export type Limited = {
-  /** Smallest deviation that is permitted. */
+  /** Smallest deviation within the tolerance. */
   low: number,
   /** Largest one. */
   high: number,
@@ -2712,7 +2712,7 @@ export type RecordAbout = {
   control: Dialect,
   /** What the user calls the machine; empty: nothing. */
   machine: string,
-  /** Date and time of the control when the program began, `2026-05-31T08:00:00`. */
+  /** Date and time of the control when the program began, `2026-05-31T08:00:00`; empty: the setup gives none. */
   clock: string,
   /** Diameter of the ball of the workpiece probe, mm. */
   ball: number,

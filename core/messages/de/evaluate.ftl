@@ -73,6 +73,7 @@ answer-register = Korrekturspeicher { $register }
 answer-probe = Messtasterdaten
 # What follows.
 answer-within = Innerhalb der Grenzen
+answer-within-area = Im Vertrauensbereich
 answer-beyond = Außerhalb der Grenzen
 answer-rework = Nacharbeit
 answer-scrap = Ausschuss
@@ -80,6 +81,11 @@ answer-alarm = Alarm { $code }
 answer-stopped = Nicht weiter simuliert
 answer-measured = Gemessen
 answer-why-within = Die Abweichung beträgt höchstens { $limit }{ $unit ->
+        [deg] °
+        [inch]  inch
+       *[mm]  mm
+    }.
+answer-why-area = Keine Toleranz angegeben. Die Abweichung liegt im Vertrauensbereich von { $limit }{ $unit ->
         [deg] °
         [inch]  inch
        *[mm]  mm

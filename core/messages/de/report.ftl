@@ -129,6 +129,7 @@ terminal-explain-about = Zyklus, Maske des Messens in JOG, Alarm, Meldung, Param
 terminal-alarms-about = Bedeutung und Abhilfe eines Alarms anzeigen; ohne Nummer alle Alarme auflisten
 terminal-check-about = Teileprogramme prüfen; Rückgabewert 1 bei einem Fehler, 2 bei einer nicht lesbaren Datei
 terminal-write-about = Programmtext eines Aufrufs auf die Standardausgabe schreiben
+terminal-read-log = das ist ein Messprotokoll und kein Programm. Seine Werte liest man mit dem Programm, das es geschrieben hat: probewright run PROGRAMM --measured { $path }
 terminal-read-about = Messaufrufe eines Teileprogramms auflisten, auch einer HEIDENHAIN TNC, oder die Werte ihres Messprotokolls
 terminal-run-about = Teileprogramm simulieren; Rückgabewert 1 bei einem Fehler oder wenn es nicht bis zum Ende läuft
 terminal-series-about = Programm viele Male ausführen, mit dem, was in der Einrichtung streut (Eintrag series): Streuung der Ergebnisse, Anteile von Gutteilen, Nacharbeit und Ausschuss, Alarme; Rückgabewert 1, wenn kein Lauf das Ende erreicht
@@ -158,7 +159,7 @@ terminal-program-text = Programm des Textes, das läuft, mit seinem Namen; ohne 
 terminal-arg-text = Wert für einen Parameter des Programms selbst, zum Beispiel DEPTH=5
 terminal-screens-text = Messergebnisbild jedes Aufrufs ausgeben, der eines zeigt (_CHBIT[10])
 terminal-strict-text = Anhalten, wenn ein Unterprogramm oder ein Wert der Maschine fehlt
-terminal-max-blocks-text = Abbruch nach so vielen Sätzen; lange Sätze, Felder und Bewegungen in Schleifen zählen mehrfach
+terminal-max-blocks-text = Abbruch nach so vielen Sätzen; lange Sätze, Felder und Bewegungen in Schleifen zählen mehrfach. Über 3.000 und 600.000 begrenzt die Zahl auch, wie oft ein Aufruf läuft und wie viele Schritte aufgezeichnet werden
 terminal-assumed-values = Angenommene Werte der Maschine: { $values }. In Klammern die Zeilennummern.
 terminal-progress = { $share } %, { $blocks } Sätze
 terminal-test-passed = ok
@@ -180,6 +181,7 @@ terminal-log-text = Ordner für Messprotokolle und für Dateien, die das Program
 terminal-record-text = Datei für das Protokoll aller Messungen: Tabelle (.csv) oder Dokument (.json, siehe docs/record.schema.json)
 terminal-record-ending = das Protokoll wird als .csv oder .json geschrieben: eine dieser Endungen wählen
 terminal-measured-text = Protokoll einer wirklichen Maschine: Messprotokoll der Steuerung oder Tabelle; für jede Folgedatei erneut angeben. Die Werte werden den Aufrufen des Programms zugeordnet, und --record schreibt das Protokoll aus ihnen
+terminal-column-twice = --columns nennt zwei Spalten für { $name }
 terminal-columns-text = Spalten dieser Tabelle, zum Beispiel actual=Istmaß nominal=3; Namen: number, line, result, nominal, actual, deviation
 terminal-column = keine Spalte eines Protokolls: { $text }; zum Beispiel actual=3
 terminal-surface-text = Fläche statt der in der Maschineneinrichtung, in derselben Größe: PNG-Bild (Weiß ist am höchsten), dome, waves, saddle oder step; eine STL-Datei behält ihre Größe
@@ -295,6 +297,7 @@ terminal-value-gain = KV
 terminal-value-feed = VORSCHUB
 terminal-value-mm = MM
 terminal-value-random = ZAHL
+terminal-whole = „{ $value }“ ist für { $name } nicht zulässig: eine ganze Zahl von { $min } bis { $max } angeben
 terminal-wrong-argument = Es gibt kein Argument { $name }
 terminal-wrong-command = Es gibt keinen Befehl { $name }
 terminal-wrong-none = Ein Befehl fehlt
@@ -303,6 +306,7 @@ terminal-wrong-empty = Ein Wert fehlt: { $name }
 terminal-wrong-number = „{ $value }“ ist keine Zahl: { $name }
 terminal-wrong-missing = Es fehlt: { $name }
 terminal-wrong-conflict = { $name } und { $other } schließen einander aus
+terminal-wrong-twice = { $name } ist zweimal angegeben
 terminal-wrong-similar = Ähnlich: { $known }
 terminal-wrong-more = Hilfe: --help
 

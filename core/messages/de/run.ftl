@@ -27,7 +27,7 @@ run-subprogram = Nicht vorhanden, Wirkung daher nicht bekannt: { $word }. Der La
 run-depth = Aufrufe sind tiefer als { $limit } Ebenen geschachtelt.
 run-steps = Kein Ende; gezählte Sätze: { $limit } (lange Sätze, große Felder, Bewegungen in Schleifen mehrfach). Nach Endlosschleife suchen.
 run-endless = Das Programm endet nie: Beim Rücksprung zu Zeile { $line } ist der Zustand derselbe wie zuvor.
-run-repeated = Dieser Aufruf lief { $limit }-mal, dann wurde der Lauf abgebrochen. Nach einer Endlosschleife suchen.
+run-repeated = Nach { $limit } Ausführungen abgebrochen. In Teilen ausführen, --max-blocks erhöhen oder Endlosschleife suchen.
 run-trace-limit = Mehr als { $limit } Schritte: Lauf abgebrochen. Sehr viele Antastungen in Teilen ausführen oder Endlosschleife suchen.
 run-trace-full = Die ersten { $limit } Schritte sind aufgezeichnet; danach fehlen Bewegungen und Zuweisungen, die das Programm selbst ausführt.
 run-data = Das Programm schreibt mehr als { $limit } Variablen, Werkzeugdaten und Feldelemente. Felder verkleinern.
@@ -95,12 +95,16 @@ run-machine-value = „{ $word }“ ist ein Wert der Maschine und fehlt in der M
 run-waits = Das Programm wartet hier auf „{ $word }“. Ab hier angenommen: { $value }.
 run-machine-value-hint = Den Wert in den Daten der Maschineneinrichtung eintragen.
 run-argument-unknown = Das Programm hat keinen Parameter „{ $word }“.
-run-program-unknown = Der Text enthält kein Programm „{ $word }“. Er enthält: { $names }.
+run-program-unknown = { $count ->
+        [0] Der Text enthält kein Programm „{ $word }“. Keines darin hat einen Namen.
+       *[other] Der Text enthält kein Programm „{ $word }“. Er enthält: { $names }.
+    }
 run-foreign = Programm für { $control }, Tastsystemzyklen: { $count }. Es wird gelesen, geprüft und erklärt, hier aber nicht ausgeführt.
 run-unread-value = Der Wert von „{ $word }“ ist unbekannt: Zeile { $line } wurde nicht vollständig ausgeführt.
 run-unread-way = „{ $word }“ ist nicht lesbar; davon hängt ab, welcher Satz folgt.
 run-ended = Das Programm ist bis zum Ende gelaufen.
 run-ended-without = Das Programm ist bis zum Ende gelaufen, aber ohne: { $words }. Die Zeilennummern stehen in Klammern.
+run-ended-before = Das Programm startete nicht.
 run-ended-early = Das Programm hat in Zeile { $line } angehalten.
 run-ended-early-without = Das Programm hat in Zeile { $line } angehalten; davor übergangen: { $words }. Die Zeilennummern stehen in Klammern.
 run-ended-in-file = Das Programm hat in { $file }, Zeile { $line }, angehalten.
@@ -125,6 +129,7 @@ supply-parts = Werkstücke des Programms aufspannen
 # Szenarien: worin ein Lauf von der Erwartung abweicht.
 
 scenario-file = { $path }: Die Datei { $name } fehlt
+scenario-no-case = { $path }: Das Szenario hat keinen Fall und weist deshalb nichts nach.
 scenario-cure = Die Datei an dieser Stelle berichtigen oder das Programm neu als Szenario speichern.
 scenario-variable = { $path }: Werkzeug- oder Framedaten { $name } gibt es nicht
 scenario-replace = „{ $text }“ steht nicht im Programm.

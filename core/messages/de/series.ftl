@@ -8,6 +8,7 @@ series-share = { $count } ({ $share } ± { $error } %)
 series-more = Das Programm misst { $count }-mal; aufgeführt sind die ersten { $shown } Messungen. Für die übrigen ein Programm ausführen, das mit ihnen beginnt.
 series-share-all = { $count } (100 %; mit 95 % Sicherheit mindestens { $least } %)
 series-uncorrected = Dieselben Teile ohne Korrektur:
+series-nothing = Es wurde nichts gemessen.
 series-no-alarm = Kein Alarm in { $runs } Läufen: mit 95 % Sicherheit weniger als { $most } %.
 
 series-tilt-x = Drehung um X, Abweichung

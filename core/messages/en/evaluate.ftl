@@ -73,6 +73,7 @@ answer-register = Register { $register }
 answer-probe = Probe data
 # What follows.
 answer-within = Within limits
+answer-within-area = Within the safe area
 answer-beyond = Out of limits
 answer-rework = Rework
 answer-scrap = Scrap
@@ -80,6 +81,11 @@ answer-alarm = Alarm { $code }
 answer-stopped = Not simulated further
 answer-measured = Measured
 answer-why-within = The deviation is at most { $limit }{ $unit ->
+        [deg] °
+        [inch]  inch
+       *[mm]  mm
+    }.
+answer-why-area = No tolerance is set. The deviation is within the safe area of { $limit }{ $unit ->
         [deg] °
         [inch]  inch
        *[mm]  mm

@@ -133,6 +133,7 @@ terminal-explain-about = Explain a cycle, mask of measuring in JOG, alarm, findi
 terminal-alarms-about = Show meaning and remedy of an alarm; without a number, list all alarms
 terminal-check-about = Check part programs; exit status 1 if there is an error, 2 if a file cannot be read
 terminal-write-about = Write the program text of a call to standard output
+terminal-read-log = this is a measuring log and no program. Its values are read with the program that wrote it: probewright run PROGRAM --measured { $path }
 terminal-read-about = List the measuring calls of a part program, also of a HEIDENHAIN TNC, or the values of its measuring log
 terminal-run-about = Simulate a part program; exit status 1 if it has an error or does not reach its end
 terminal-series-about = Run a program many times, with what the setup file lets vary (member series): spread of the results, shares of good, rework and scrap, alarms; exit status 1 if no run reaches its end
@@ -162,7 +163,7 @@ terminal-program-text = Program of the text to run, by its name; without it the 
 terminal-arg-text = Value for a parameter of the program itself, for example DEPTH=5
 terminal-screens-text = Print the measuring result screen of each call that shows one (_CHBIT[10])
 terminal-strict-text = Stop at a subprogram or a machine value that is missing
-terminal-max-blocks-text = Stop after this number of blocks; long ones, arrays and motions in loops count several times
+terminal-max-blocks-text = Stop after this number of blocks; long ones, arrays and motions in loops count several times. Above 3,000 and 600,000 this number also limits how often a call is executed and how many steps are recorded
 terminal-assumed-values = Machine values that were assumed: { $values }. Line numbers are in brackets.
 terminal-progress = { $share }%, { $blocks } blocks
 terminal-test-passed = ok
@@ -184,6 +185,7 @@ terminal-log-text = Folder for measurement logs and for files that the program w
 terminal-record-text = File for the record of all measurements: a table (.csv) or a document (.json, see docs/record.schema.json)
 terminal-record-ending = the record is written as .csv or .json: choose one of these endings
 terminal-measured-text = Protocol of a real machine: the log of the control or a table; repeat it for each file of a log that goes on. Its values are laid onto the calls of the program, and the record is that of these values
+terminal-column-twice = --columns names two columns for { $name }
 terminal-columns-text = Columns of this table, for example actual=Measured nominal=3; names: number, line, result, nominal, actual, deviation
 terminal-column = not a column of a protocol: { $text }; for example actual=3
 terminal-surface-text = Surface instead of the one in the setup file, of the same size: a PNG picture (white is highest), dome, waves, saddle or step; an STL file keeps its size
@@ -295,6 +297,7 @@ terminal-value-gain = GAIN
 terminal-value-feed = FEED
 terminal-value-mm = MM
 terminal-value-random = NUMBER
+terminal-whole = “{ $value }” is not permitted for { $name }: enter a whole number from { $min } to { $max }
 terminal-wrong-argument = there is no argument { $name }
 terminal-wrong-command = there is no command { $name }
 terminal-wrong-none = a command is missing
@@ -303,6 +306,7 @@ terminal-wrong-empty = a value is missing: { $name }
 terminal-wrong-number = “{ $value }” is not a number: { $name }
 terminal-wrong-missing = missing: { $name }
 terminal-wrong-conflict = { $name } and { $other } exclude each other
+terminal-wrong-twice = { $name } is given twice
 terminal-wrong-similar = Similar: { $known }
 terminal-wrong-more = Help: --help
 

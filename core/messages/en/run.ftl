@@ -27,7 +27,7 @@ run-subprogram = Not found, so the effect is not known: { $word }. The run skips
 run-depth = Calls are nested deeper than { $limit } levels.
 run-steps = No end after { $limit } blocks (long ones, arrays, motions in loops count several times). Look for an endless loop.
 run-endless = The program never ends: at the jump back to line { $line }, the state is the same as before.
-run-repeated = This call was executed { $limit } times; the run was stopped. Look for an endless loop.
+run-repeated = Stopped after { $limit } runs of this call. Run it in parts, raise --max-blocks or find the endless loop.
 run-trace-limit = More than { $limit } steps: the run was stopped. Run very many touches in parts, or look for an endless loop.
 run-trace-full = The first { $limit } steps are recorded. Later motions and assignments of the program itself are not.
 run-data = The program writes more than { $limit } variables, tool data and array elements. Reduce its arrays.
@@ -95,12 +95,16 @@ run-machine-value = “{ $word }” is a value of the machine that the setup doe
 run-waits = The program waits here for “{ $word }”. Assumed from here on: { $value }.
 run-machine-value-hint = Enter the value in the data of the setup.
 run-argument-unknown = “{ $word }” is not a parameter of the program.
-run-program-unknown = There is no program “{ $word }” in this text. Programs in it: { $names }.
+run-program-unknown = { $count ->
+        [0] There is no program “{ $word }” in this text. None in it has a name.
+       *[other] There is no program “{ $word }” in this text. Programs in it: { $names }.
+    }
 run-foreign = Program of { $control }, probe cycles: { $count }. It is read, checked and explained; here it is not run.
 run-unread-value = The value of “{ $word }” is not known: line { $line } was not executed in full.
 run-unread-way = “{ $word }” cannot be read, and which block follows depends on it.
 run-ended = The program ran to its end.
 run-ended-without = The program ran to its end, but without: { $words }. Line numbers are in brackets.
+run-ended-before = The program did not start.
 run-ended-early = The program stopped in line { $line }.
 run-ended-early-without = The program stopped in line { $line }; skipped before that: { $words }. Line numbers are in brackets.
 run-ended-in-file = The program stopped in { $file }, line { $line }.
@@ -125,6 +129,7 @@ supply-parts = Set up the parts of the program
 # Scenarios: how a run differs from the expectation.
 
 scenario-file = { $path }: the file { $name } is missing
+scenario-no-case = { $path }: the scenario has no case, so it proves nothing.
 scenario-cure = Correct the file at this place, or save the program as a scenario again.
 scenario-variable = { $path }: there are no tool or frame data { $name }
 scenario-replace = “{ $text }” is not in the program.

@@ -8,6 +8,7 @@ series-share = { $count } ({ $share } ± { $error } %)
 series-more = The program measures { $count } times; listed are the first { $shown } measurements. For the others, run a program that begins with them.
 series-share-all = { $count } (100 %; at least { $least } % with 95 % confidence)
 series-uncorrected = The same parts without corrections:
+series-nothing = Nothing was measured.
 series-no-alarm = No alarm in { $runs } runs: less than { $most } % with 95 % confidence.
 
 series-tilt-x = Rotation about X, error

@@ -74,6 +74,7 @@ answer-register = 寄存器 { $register }
 answer-probe = 测头数据
 # What follows.
 answer-within = 在限值内
+answer-within-area = 在安全区内
 answer-beyond = 超出限值
 answer-rework = 返工
 answer-scrap = 报废
@@ -85,6 +86,11 @@ answer-why-within = 偏差不超过 { $limit }{ $unit ->
         [inch]  inch
        *[mm]  mm
     }。
+answer-why-area = 未设置公差。偏差在安全区 { $limit }{ $unit ->
+        [deg] °
+        [inch]  inch
+       *[mm]  mm
+    } 之内。
 answer-why-measured = 此测量未设置限值。
 
 screen-tool-probe = 校准刀具测头

@@ -129,6 +129,7 @@ terminal-explain-about = 说明循环、JOG 测量的输入画面、报警、检
 terminal-alarms-about = 显示报警的含义和措施；不给编号时列出全部报警
 terminal-check-about = 检查零件程序；有错误时退出状态为 1，文件无法读取时为 2
 terminal-write-about = 把一个调用的程序文本写到标准输出
+terminal-read-log = 这是测量记录，不是程序。请用写出它的程序读取其中的数值：probewright run 程序 --measured { $path }
 terminal-read-about = 列出零件程序（也包括 HEIDENHAIN TNC 程序）中的测量调用，或其测量记录中的值
 terminal-run-about = 模拟零件程序；有错误或没有到达程序结尾时退出状态为 1
 terminal-series-about = 多次运行程序，按配置文件（成员 series）变动各量：结果的分散、合格、返修和报废的比例、报警；没有一次运行到达结尾时退出状态为 1
@@ -158,7 +159,7 @@ terminal-program-text = 要运行的程序的名称；不指定时为文本中�
 terminal-arg-text = 程序自身参数的值，例如 DEPTH=5
 terminal-screens-text = 输出每个显示测量结果画面的调用的画面（_CHBIT[10]）
 terminal-strict-text = 缺少子程序或机床的值时停止
-terminal-max-blocks-text = 运行超过此程序段数时停止；长程序段、数组以及程序循环中的运动按多段计
+terminal-max-blocks-text = 运行超过此程序段数时停止；长程序段、数组以及程序循环中的运动按多段计。此数大于 3,000 和 600,000 时，也限制同一调用的执行次数和记录的步数
 terminal-assumed-values = 假定的机床值：{ $values }。括号中为行号。
 terminal-progress = { $share }%，{ $blocks } 个程序段
 terminal-test-passed = 通过
@@ -180,6 +181,7 @@ terminal-log-text = 存放测量记录和程序所写文件的文件夹；不覆
 terminal-record-text = 存放全部测量结果报告的文件：表格（.csv）或文档（.json，见 docs/record.schema.json）
 terminal-record-ending = 测量报告只能写成 .csv 或 .json：请选用其中一种扩展名
 terminal-measured-text = 真实机床的测量记录：控制系统的记录文件或表格；每个后续文件重复指定一次。其数值与程序的调用逐一对应，报告由这些数值生成
+terminal-column-twice = --columns 为 { $name } 指定了两列
 terminal-columns-text = 该表格的列，例如 actual=实测 nominal=3；名称：number、line、result、nominal、actual、deviation
 terminal-column = 不是测量记录的列：{ $text }；例如 actual=3
 terminal-surface-text = 代替机床配置中的曲面，大小相同：PNG 图片（白色最高）、dome、waves、saddle 或 step；STL 文件保持自身大小
@@ -295,6 +297,7 @@ terminal-value-gain = 增益
 terminal-value-feed = 进给率
 terminal-value-mm = 毫米
 terminal-value-random = 数字
+terminal-whole = “{ $value }”不能用于 { $name }：请输入 { $min } 到 { $max } 的整数
 terminal-wrong-argument = 没有参数 { $name }
 terminal-wrong-command = 没有命令 { $name }
 terminal-wrong-none = 缺少命令
@@ -303,6 +306,7 @@ terminal-wrong-empty = 缺少值：{ $name }
 terminal-wrong-number = “{ $value }”不是数字：{ $name }
 terminal-wrong-missing = 缺少：{ $name }
 terminal-wrong-conflict = { $name } 和 { $other } 不能同时使用
+terminal-wrong-twice = { $name } 出现了两次
 terminal-wrong-similar = 相近：{ $known }
 terminal-wrong-more = 帮助：--help
 

@@ -27,7 +27,7 @@ run-subprogram = 没有找到 { $word }，其作用未知；运行时跳过此�
 run-depth = 调用嵌套超过 { $limit } 层。
 run-steps = 程序在 { $limit } 个程序段内没有结束（长程序段、数组以及程序循环中的运动按多段计），可能是死循环。
 run-endless = 程序永远不会结束：跳回第 { $line } 行时，状态与以前相同。
-run-repeated = 此调用已执行 { $limit } 次，运行已停止，可能是死循环。
+run-repeated = 此调用已执行 { $limit } 次，运行已停止。请分段运行、增大 --max-blocks 或查找死循环。
 run-trace-limit = 记录已超过 { $limit } 步，运行已停止。触碰次数极多时请分段运行，否则请查找死循环。
 run-trace-full = 已记录前 { $limit } 步。程序继续运行，但不再记录其自身的运动和写入的值。
 run-data = 程序写入的变量、刀具数据和数组元素超过 { $limit } 个。请减小数组。
@@ -95,12 +95,16 @@ run-machine-value = “{ $word }”是机床的值，机床配置中没有。假
 run-waits = 程序在此等待“{ $word }”。从此处起假定为 { $value }。
 run-machine-value-hint = 请在机床配置的数据中输入该值。
 run-argument-unknown = 程序没有参数“{ $word }”。
-run-program-unknown = 文本中没有程序“{ $word }”。其中的程序：{ $names }。
+run-program-unknown = { $count ->
+        [0] 文本中没有程序“{ $word }”。 其中的程序都没有名称。
+       *[other] 文本中没有程序“{ $word }”。其中的程序：{ $names }。
+    }
 run-foreign = { $control } 的程序，探测循环：{ $count } 个。可以读取、检查和说明；此处不能运行。
 run-unread-value = “{ $word }”的值未知：第 { $line } 行未完整执行。
 run-unread-way = “{ $word }”无法读取，而接下来执行哪个程序段取决于它。
 run-ended = 程序已运行到结尾。
 run-ended-without = 程序已运行到结尾，但跳过了：{ $words }。括号中为行号。
+run-ended-before = 程序没有启动。
 run-ended-early = 程序在第 { $line } 行停止。
 run-ended-early-without = 程序在第 { $line } 行停止；此前跳过了：{ $words }。括号中为行号。
 run-ended-in-file = 程序在 { $file } 第 { $line } 行停止。
@@ -125,6 +129,7 @@ supply-parts = 装夹程序所需的工件
 # 场景：运行结果与预期的差异。
 
 scenario-file = { $path }：缺少文件 { $name }
+scenario-no-case = { $path }：该场景没有用例，什么也证明不了。
 scenario-cure = 请在该处更正文件，或将程序重新存储为场景。
 scenario-variable = { $path }：没有刀具数据或框架数据 { $name }
 scenario-replace = 程序中没有“{ $text }”。

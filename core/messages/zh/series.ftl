@@ -8,6 +8,7 @@ series-share = { $count }（{ $share } ± { $error } %）
 series-more = 程序测量 { $count } 次；此处列出前 { $shown } 次。要查看其余测量，请运行从这些测量开始的程序。
 series-share-all = { $count }（100 %；以 95 % 的把握至少 { $least } %）
 series-uncorrected = 同样的工件，没有补偿：
+series-nothing = 没有进行任何测量。
 series-no-alarm = 运行 { $runs } 次没有报警：以 95 % 的把握少于 { $most } %。
 
 series-tilt-x = 绕 X 旋转误差

@@ -1,5 +1,6 @@
 //! A program or a log of a control that is read and not run.
 
+use crate::catalogue::log;
 use crate::foreign::{self, Foreign, ForeignCall, Log, LogRow};
 use crate::message::Message;
 use serde::Serialize;
@@ -87,6 +88,11 @@ pub fn foreign(source: &[u8]) -> Option<ForeignView> {
     }
     let (control, logs) = foreign::logs(&String::from_utf8_lossy(source))?;
     Some(ForeignView { control: control.name, calls: Vec::new(), logs: logs.into_iter().map(of_log).collect() })
+}
+
+/// Whether a text is the log that the measuring cycles print: no program, though names of cycles stand in it.
+pub fn is_log(source: &[u8]) -> bool {
+    log::is_log(&String::from_utf8_lossy(source))
 }
 
 fn of_program(control: &Foreign, calls: Vec<ForeignCall>) -> ForeignView {

@@ -131,7 +131,7 @@ fn picture(inputs: &Inputs) -> Picture {
 
 /// The number above its text.
 fn one(number: f64, decimals: usize) -> Vec<PictureShape> {
-    let text = format!("{number:.decimals$}");
+    let text = rounded(number, decimals as f64);
     let middle = left(LENGTH) / 2.0;
     let mut shapes = cells(&text, LENGTH, 0.0, COUNT);
     shapes.push(line(ShapeKind::Label, vec![[middle, ROW]]).text(number.to_string()).of(NUMBER));

@@ -75,7 +75,7 @@ pub mod twin_place;
 pub(crate) mod log {
     pub use super::logging::names::{DIGITS, FILE};
     pub use super::logging::simulate::measured;
-    pub use super::logging::{LOG_DELETED, LOG_FULL, ON};
+    pub use super::logging::{LOG_DELETED, LOG_FULL, ON, is_log};
 }
 
 use crate::dialect::Dialect;

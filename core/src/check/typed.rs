@@ -130,14 +130,22 @@ fn value(param: &Param, unit: Unit, text: &str, control: &Control) -> Result<Opt
         Parsed::Expression if written(control.dialect, text).is_some() => return Err(Box::new(expression(text))),
         Parsed::Expression | Parsed::Wrong => return Err(Box::new(own::NOT_A_NUMBER.finding().text("value", text))),
     };
-    let limit = if whole(&param.kind) { WHOLE_LIMIT } else { LIMIT };
-    if number.abs() > limit && !param.watches {
+    if number.abs() > limit(param) && !param.watches {
         return Err(Box::new(own::TOO_LARGE.finding().text("value", text)));
     }
     if whole(&param.kind) && number.fract() != 0.0 {
         return Err(Box::new(own::NOT_WHOLE.finding().text("value", text)));
     }
     Ok(Some(number * factor(unit, control)))
+}
+
+/// Beyond this a value of a parameter is refused. A bare number, as one that is only made into a text, has no bound.
+fn limit(param: &Param) -> f64 {
+    match (whole(&param.kind), param.unit) {
+        (true, _) => WHOLE_LIMIT,
+        (false, Unit::None) => f64::MAX,
+        _ => LIMIT,
+    }
 }
 
 /// Whether only whole numbers count.

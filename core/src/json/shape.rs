@@ -121,13 +121,27 @@ impl Node {
         }
     }
 
-    fn whole<'de, V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Wrong> {
-        match &self.0 {
-            Value::Number(number) if number.is_f64() => Err(other_sort("document-fraction", "document-integer")),
-            _ => self.number("document-integer", visitor),
+    /// A whole number from here to there.
+    fn whole<'de, V: Visitor<'de>>(self, visitor: V, [min, max]: [i128; 2]) -> Result<V::Value, Wrong> {
+        let Value::Number(number) = &self.0 else { return self.number("document-integer", visitor) };
+        let whole = number.as_i128();
+        if whole.is_some_and(|number| (min..=max).contains(&number)) {
+            return self.number("document-integer", visitor);
+        }
+        match number.as_f64() {
+            Some(value) if whole.is_none() && value.abs() < LARGE => {
+                Err(other_sort("document-fraction", "document-integer"))
+            }
+            _ => {
+                let told = wrong("document-whole-range").text("value", number.to_string());
+                Err(told.text("min", min.to_string()).text("max", max.to_string()).into())
+            }
         }
     }
 }
+
+/// From here on a document may have whole numbers that no 64 bits hold.
+const LARGE: f64 = 9e18;
 
 /// Methods that read alike.
 macro_rules! alike {
@@ -138,12 +152,24 @@ macro_rules! alike {
     };
 }
 
+/// Methods that read whole numbers, each with its type.
+macro_rules! whole {
+    ($($method:ident $sort:ty,)*) => {
+        $(fn $method<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Wrong> {
+            self.whole(visitor, [i128::from(<$sort>::MIN), i128::from(<$sort>::MAX)])
+        })*
+    };
+}
+
 impl<'de> Deserializer<'de> for Node {
     type Error = Wrong;
 
+    whole! {
+        deserialize_i8 i8, deserialize_i16 i16, deserialize_i32 i32, deserialize_i64 i64,
+        deserialize_u8 u8, deserialize_u16 u16, deserialize_u32 u32, deserialize_u64 u64,
+    }
+
     alike! {
-        whole: deserialize_i8 deserialize_i16 deserialize_i32 deserialize_i64 deserialize_u8 deserialize_u16
-            deserialize_u32 deserialize_u64;
         deserialize_str: deserialize_string deserialize_identifier;
     }
 

@@ -1,6 +1,7 @@
 //! Which machines can be: a probe, tools and a part that can exist, and names that the control knows.
 
 use super::Setup;
+use super::series::MOST_RUNS;
 use crate::control::{Control, Edge, Frame, Value};
 use crate::geometry::FARTHEST;
 use crate::message::printable;
@@ -11,8 +12,6 @@ use crate::workpiece::{Cut, Cutter, PartErrors, Probe, Shape, Solid, Tool, ToolP
 const LIMIT: f64 = FARTHEST;
 /// Largest number of a datum: that of the control's own numbers, which units can still be applied to.
 const LARGEST: f64 = 1e300;
-/// Most runs of a series; their results are kept.
-const RUNS: f64 = 1e6;
 /// Most solids of a part; every motion is held against each.
 const SOLIDS: usize = 50;
 /// Most lobes of a round wall.
@@ -47,13 +46,17 @@ impl Setup {
         within(&path.member("spread"), self.temperature.spread, [0.0, 1000.0])?;
         small(&path.member("expansion"), &[self.temperature.expansion])?;
         let path = Path::of(&["series"]);
-        within(&path.member("runs"), f64::from(self.series.runs), [1.0, RUNS])?;
+        within(&path.member("runs"), f64::from(self.series.runs), [1.0, f64::from(MOST_RUNS)])?;
         let path = path.member("vary");
         within(&path, self.series.vary.len() as f64, [0.0, MOST as f64])?;
         for (index, vary) in self.series.vary.iter().enumerate() {
             let path = path.element(index);
             within(&path.member("sigma"), vary.sigma, [0.0, LIMIT])?;
             within(&path.member("half"), vary.half, [0.0, LIMIT])?;
+            if let Some(member) = vary.unused() {
+                let refused = Refused::new("setup-vary-unused", path.member(member));
+                return Err(refused.text("wanted", if member == "half" { "sigma" } else { "half" }));
+            }
             small(&path.member("mean"), &[vary.mean])?;
             small(&path.member("drift"), &[vary.drift])?;
             small(&path.member("values"), &vary.values)?;

@@ -3,6 +3,9 @@
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
+/// Most runs of a series; their results are kept.
+pub const MOST_RUNS: u32 = 1_000_000;
+
 /// A program that is run many times, and what varies from run to run.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
@@ -89,6 +92,14 @@ impl Vary {
         let spread = if self.shape == Shape::Normal { self.sigma } else { self.half };
         let own = [spread, self.mean, self.drift].iter().any(|number| *number != 0.0);
         own || !self.values.is_empty() || !self.follows.is_empty()
+    }
+
+    /// Which member says how far another shape reaches: it means nothing here.
+    pub fn unused(&self) -> Option<&'static str> {
+        match self.shape {
+            Shape::Normal => (self.half != 0.0).then_some("half"),
+            _ => (self.sigma != 0.0).then_some("sigma"),
+        }
     }
 }
 

@@ -101,6 +101,18 @@ pub struct Interpreter {
 /// Words passed over that are kept.
 const MOST_PASSED: usize = 1000;
 
+/// Place of the main program of this name among those of a text.
+///
+/// # Errors
+/// It is not there; which are.
+pub fn main_program(programs: &Programs, name: &str) -> Result<usize, Problem> {
+    programs.place(&name.to_uppercase()).ok_or_else(|| {
+        let there: Vec<&str> = programs.names.keys().map(String::as_str).take(NAMED).collect();
+        let problem = Problem::new("run-program-unknown", Span::default(), name);
+        problem.number("count", there.len() as f64).text("names", there.join(", "))
+    })
+}
+
 /// Programs that are named where the one that is wanted is not there.
 const NAMED: usize = 20;
 
@@ -164,14 +176,10 @@ impl Session {
 
     /// With the program of this name as main program, where the text holds several.
     pub fn of_program(mut self, name: &str) -> Session {
-        match self.run.programs.place(&name.to_uppercase()) {
+        match main_program(&self.run.programs, name) {
             _ if self.is_over() => {}
-            Some(place) => begin_main(&mut self.run, place),
-            None => {
-                let there: Vec<&str> = self.run.programs.names.keys().map(String::as_str).take(NAMED).collect();
-                let problem = Problem::new("run-program-unknown", Span::default(), name);
-                self.refuse(problem.text("names", there.join(", ")));
-            }
+            Ok(place) => begin_main(&mut self.run, place),
+            Err(problem) => self.refuse(problem),
         }
         self
     }

@@ -15,8 +15,9 @@ const TRACE: usize = 600_000;
 const OWN: usize = 2_000_000;
 /// What the program itself writes and shows beside them.
 const TOLD: usize = 200_000;
-/// How often a measuring call is carried out: each takes milliseconds, and a thousand points are measured.
-const CALLS: usize = 1_500;
+/// How often a measuring call is carried out: each takes milliseconds, and thousands of points are measured. So many
+/// fit into the trace.
+const CALLS: usize = 3_000;
 /// Data that are written, of some hundred bytes each: R parameters, user data, tools, elements of arrays.
 const DATA: usize = 1_000_000;
 /// Blocks between two looks at how many data there are.
@@ -71,6 +72,13 @@ impl Default for Limits {
 }
 
 impl Limits {
+    /// With the work that a user permits, in blocks: how often a call is carried out and what is recorded follow it.
+    pub fn permitted(self, steps: Option<u64>) -> Limits {
+        let Some(steps) = steps else { return self };
+        let most = usize::try_from(steps).unwrap_or(usize::MAX);
+        Limits { steps: Some(steps), calls: self.calls.max(most), trace: self.trace.max(most), ..self }
+    }
+
     /// Without a record of what the program does by itself: what calls do is recorded.
     pub fn unrecorded(self) -> Limits {
         Limits { own: 0, told: 0, ..self }

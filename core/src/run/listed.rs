@@ -174,12 +174,19 @@ fn omitted(cycle: &Cycle, name: &str) -> Value {
 
 /// Carries out a helper cycle, which hands back what went wrong (B:2422-2448, B:8557-8584): values in, results out.
 fn helper(run: &mut Interpreter, cycle: &'static Cycle, list: &ArgumentList, call: &Call) -> Result<(), Halt> {
-    let inputs = check::read(cycle, &taken(run, cycle, list, call)?, &run.sim.control, &mut Vec::new());
-    call::perform(&mut run.sim, &inputs).map_err(Halt::at(call.span))?;
+    let typed = taken(run, cycle, list, call)?;
+    if list.args.iter().any(|arg| matches!(arg, Arg::Variable(_))) {
+        // what is wrong with its variables it hands back in them itself
+        let inputs = check::read(cycle, &typed, &run.sim.control, &mut Vec::new());
+        call::perform(&mut run.sim, &inputs).map_err(Halt::at(call.span))?;
+    } else {
+        let checked = check::check(cycle, &typed, &run.sim.control);
+        cycle::carry_out(run, cycle, checked, call.span)?;
+    }
     Ok(hand_back(run, cycle, list, call)?)
 }
 
-/// What is in the variables and arguments, by parameter; what is wrong with it the cycle itself hands back.
+/// What is in the variables and arguments, by parameter.
 fn taken(run: &Interpreter, cycle: &'static Cycle, list: &ArgumentList, call: &Call) -> Result<Typed, Problem> {
     let mut typed = Typed::new();
     for (index, arg) in list.args.iter().enumerate() {

@@ -70,7 +70,7 @@ mod transformed;
 mod unread;
 
 pub use call::predict;
-pub use interpret::{Session, run};
+pub use interpret::{Session, main_program, run};
 pub use limits::Limits;
 pub use outcome::{Change, Outcome};
 

@@ -95,6 +95,7 @@ impl Outcome {
         let key = match (self.finished(), words.is_empty(), &file) {
             (true, true, _) => "run-ended",
             (true, false, _) => "run-ended-without",
+            (false, true, None) if self.line.is_none() => "run-ended-before",
             (false, true, None) => "run-ended-early",
             (false, false, None) => "run-ended-early-without",
             (false, true, Some(_)) => "run-ended-in-file",

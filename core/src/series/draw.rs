@@ -6,6 +6,7 @@ use crate::machine::Setup;
 pub use crate::machine::series::{Mode, Per, Series, Shape, Vary};
 use crate::refused::{Path, Refused};
 use crate::workpiece::Shape as Form;
+use std::borrow::Cow;
 
 impl Shape {
     /// The number of this index; `half` is the half width, of the normal distribution `sigma` counts.
@@ -30,12 +31,13 @@ pub fn machine(setup: &Setup, series: &Series, run: u32, left: Option<&Control>)
     if let Some(left) = left {
         carry_over(&mut made.control, left);
     }
-    for vary in &series.vary {
+    for (at, vary) in series.vary.iter().enumerate() {
         let index = match vary.per {
             Per::Part => u64::from(run),
             Per::Series => 0,
         };
-        let drawn = vary.shape.number(Source::new(series.seed, &vary.what), index, vary.sigma, vary.half);
+        let source = Source::new(series.seed, &source_name(&series.vary[..at], &vary.what));
+        let drawn = vary.shape.number(source, index, vary.sigma, vary.half);
         let corrected = |name: &str| {
             let [now, before] = [&made.control, &setup.control].map(|control| value(control, name).unwrap_or(0.0));
             now - before
@@ -46,6 +48,14 @@ pub fn machine(setup: &Setup, series: &Series, run: u32, left: Option<&Control>)
     }
     scatter(&mut made, series.seed, run);
     made
+}
+
+/// Name of the source of a variation: one of the same datum that is listed again draws numbers of its own.
+fn source_name<'a>(before: &[Vary], what: &'a str) -> Cow<'a, str> {
+    match before.iter().filter(|other| other.what == what).count() {
+        0 => what.into(),
+        count => format!("{what} {count}").into(),
+    }
 }
 
 /// Gives the touches of a run their own numbers.
@@ -228,6 +238,7 @@ mod tests {
     use crate::control::Plane;
     use crate::dialect::Dialect;
     use crate::geometry::Mcs;
+    use crate::series::spread::Spread;
     use crate::workpiece::Solid;
 
     fn vary(what: &str) -> Vary {
@@ -252,6 +263,20 @@ mod tests {
             assert_ne!(made, machine(&setup, &series, run + 1, None));
             assert_ne!(made, machine(&setup, &Series { seed: 2, ..series.clone() }, run, None));
         }
+    }
+
+    // oracle: hand: two variations of σ that know nothing of each other spread by √2·σ together, here within 4
+    // standard errors; the first one draws the same numbers with the second as without
+    #[test]
+    fn a_datum_listed_twice_draws_twice() {
+        let (setup, series) = part(vec![vary("probe.radius"), vary("probe.radius")]);
+        let (_, alone) = part(vec![vary("probe.radius")]);
+        let radius = |series: &Series, run| machine(&setup, series, run, None).probe.radius - setup.probe.radius;
+        let spread = Spread::of((0..4000).map(|run| radius(&series, run)).collect());
+        assert!((spread.deviation - 0.01 * 2f64.sqrt()).abs() < 4.0 * spread.deviation_error, "{}", spread.deviation);
+        let rest = (0..4000).map(|run| (radius(&series, run) - radius(&alone, run), radius(&alone, run)));
+        let common = rest.map(|(second, first)| second * first).sum::<f64>() / 4000.0 / 0.01_f64.powi(2);
+        assert!(common.abs() < 4.0 / 4000f64.sqrt(), "{common}");
     }
 
     // oracle: hand: 3 runs later the mean is 3 drifts away; what is drawn once is the same in each

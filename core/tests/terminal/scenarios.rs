@@ -45,6 +45,7 @@ fn a_folder_is_carried_out_whole_and_told_to_other_tools() {
     let report = std::fs::read_to_string(junit).unwrap();
     assert_eq!(report.matches("<testcase ").count(), count);
     assert!(!report.contains("<failure"));
+    assert!(report.contains(&format!("<testsuites tests=\"{count}\" failures=\"0\">")), "{}", &report[..200]);
 }
 
 // oracle: hand
@@ -59,6 +60,11 @@ fn what_is_no_scenario_is_told_with_its_place() {
             "a.nc: ",
         ),
         ("[", "ends"),
+        (
+            r#"{"program":{"name":"a.nc","text":"M30"},"setup":{"control":"nct","probe":{"radius":3,"length":50}},
+                "cases":[]}"#,
+            ":2:25: cases: the scenario has no case",
+        ),
     ] {
         let wrong = file("wrong.scenario.json", text.as_bytes());
         let junit = file("wrong.xml", b"");
@@ -67,7 +73,8 @@ fn what_is_no_scenario_is_told_with_its_place() {
         assert_eq!(output.status.code(), Some(1), "{text}: {line}{}", err(&output));
         assert!(line.starts_with("FAILED  ") && line.contains(told), "{text}: {line}");
         assert!(line.ends_with("Passed: 0 of 1\n"), "{line}");
-        assert!(std::fs::read_to_string(junit).unwrap().contains("<failure message="));
+        let report = std::fs::read_to_string(junit).unwrap();
+        assert!(report.contains("<failure message=") && report.contains("tests=\"1\" failures=\"1\""), "{report}");
     }
     let empty = std::env::temp_dir().join(format!("probewright-none-{}", std::process::id()));
     std::fs::create_dir_all(&empty).unwrap();

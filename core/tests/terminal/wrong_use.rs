@@ -36,6 +36,57 @@ fn wrong_use_is_told_in_the_language_asked() {
     );
 }
 
+// oracle: hand: each is told by the name of its argument, with what is permitted
+#[test]
+fn numbers_and_columns_of_the_terminal_are_told_in_its_words() {
+    let program = file("wrong-numbers.mpf", b"M30\n");
+    let machine = std::fs::read_to_string(example_setup()).unwrap();
+    let with = |name: &str, series: &str| {
+        let text = machine.replacen('{', &format!(r#"{{ "series": {{ {series} }},"#), 1);
+        file(name, text.as_bytes())
+    };
+    let large = with("large.json", r#""runs": 1000000000000"#);
+    let seed = with("seed.json", r#""seed": 18446744073709551616"#);
+    let half = with("half.json", r#""vary": [{ "what": "probe.radius", "half": 0.1 }]"#);
+    let setup = example_setup();
+    let series = |more: &[&str]| err(&probewright(&[&["series", &program, "--setup", &setup], more].concat()));
+    let runs = "for --runs: enter a whole number from 1 to 1000000";
+    for (arguments, told) in [
+        (&["--runs", "0"][..], runs),
+        (&["--runs", "1000001"], runs),
+        (&["--runs", "99999999999999999999"], runs),
+        (&["--runs", "-5"], runs),
+        (&["--runs", "1", "--certainty"], "for --runs: enter a whole number from 2 to"),
+        (&["--seed", "1.5"], "for --seed: enter a whole number from 0 to 18446744073709551615"),
+        (&["--seed", "-1"], "for --seed: enter a whole number from 0"),
+        (&["--runs", "10", "--runs", "20"], "is given twice"),
+        (&["--program", "NIX"], "There is no program “NIX” in this text."),
+    ] {
+        assert!(series(arguments).contains(told), "{arguments:?}: {}", series(arguments));
+    }
+    for (setup, told) in [
+        (&large, "series.runs is 1000000000000; permitted: whole numbers from 0 to 4294967295"),
+        (&seed, "permitted: whole numbers from 0 to 18446744073709551615"),
+        (&half, "series.vary[0].half means nothing for this distribution. Enter sigma"),
+    ] {
+        let output = probewright(&["series", &program, "--setup", setup]);
+        assert!(output.status.code() == Some(2) && err(&output).contains(told), "{}", err(&output));
+    }
+    let nothing = probewright(&["series", &program, "--setup", &setup, "--runs", "5"]);
+    assert!(out(&nothing).contains("Nothing was measured."), "{}{}", out(&nothing), err(&nothing));
+    let unknown = out(&probewright(&["run", &program, "--program", "NIX"]));
+    assert!(unknown.contains("did not start") && !unknown.contains("line 0"), "{unknown}");
+    let columns = ["--columns", "actual=Ist", "actual=Soll"];
+    let twice = probewright(&[&["run", &program, "--measured", &program][..], &columns].concat());
+    assert!(err(&twice).contains("two columns for actual"), "{}", err(&twice));
+    let log = file("LOG_9.MPF", b"Date: 98/11/15   Time: 10:05:30   Page: 1\n\nProgram: P\nCYCLE978, _MVAR, 100\n");
+    let read = probewright(&["read", &log]);
+    assert!(err(&read).contains("--measured") && out(&read).is_empty(), "{}{}", out(&read), err(&read));
+    let shown = file("shown.mpf", b"_TSA=1 _FA=2 _MVAR=101 _SETVAL=50\nCYCLE977\nCYCLE102\nM30\n");
+    let shown = out(&probewright(&["run", &shown]));
+    assert!(shown.contains("shown.mpf:3: "), "{shown}");
+}
+
 // oracle: hand. Each unreadable thing is named, the other files are checked all the same.
 #[test]
 fn what_is_no_program_is_told_and_the_rest_is_checked() {

@@ -50,7 +50,7 @@ runs-no-program = Es gibt kein Programm: Öffnen Sie eines, oder führen Sie das
 runs-in-file = In der Maschineneinrichtung: { $name }
 runs-nothing = { $place }: „{ $name }“ ändert sich nicht. Standardabweichung oder halbe Breite, Mittelwert oder Drift eingeben.
 runs-no-number = Das ist keine Zahl: { $text }
-runs-range = Teile: 1 bis { $most }
+runs-whole = { $field }: eine ganze Zahl von { $least } bis { $most } eingeben
 runs-ending =
     { $runs ->
         [one] 1 Teil

@@ -50,7 +50,7 @@ runs-no-program = There is no program: open one, or run the example.
 runs-in-file = In the setup file: { $name }
 runs-nothing = { $place }: “{ $name }” varies by nothing. Enter a standard deviation or half width, a mean or a drift.
 runs-no-number = This is no number: { $text }
-runs-range = Parts: 1 to { $most }
+runs-whole = { $field }: enter a whole number from { $least } to { $most }
 runs-ending =
     { $runs ->
         [one] 1 part

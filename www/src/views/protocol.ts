@@ -101,21 +101,19 @@ export function createProtocol({ core, arrows, real }: ProtocolWays, changed: ()
     picker.value = "";
     if (!chosen.length) return;
     void (async () => {
-      columns = {};
-      view = null;
-      const names = chosen.map(one => one.name);
       const size = chosen.reduce((sum, one) => sum + one.size, 0);
-      file = { name: names.join(", "), names, texts: [] };
-      of = now?.derived.run ?? null;
-      problem = size > LARGEST ? t("protocol-too-large", { most: LARGEST / 2 ** 20 }) : "";
       const reader = core();
+      problem = size > LARGEST ? t("protocol-too-large", { most: LARGEST / 2 ** 20 }) : "";
       if (problem || !reader) return show();
       const texts = await readTexts(chosen, reader);
       if ("key" in texts) {
-        problem = t(texts.key, texts.args);
+        problem = t(texts.key, texts.args); // what was laid before stays
         return show();
       }
-      file = { ...file, texts };
+      const names = chosen.map(one => one.name);
+      [columns, view] = [{}, null];
+      file = { name: names.join(", "), names, texts };
+      of = now?.derived.run ?? null;
       await lay();
     })();
   });
@@ -159,12 +157,12 @@ export function createProtocol({ core, arrows, real }: ProtocolWays, changed: ()
     </details>`;
   };
   function show(): void {
-    root.hidden = !file;
+    root.hidden = !file && !problem;
     const heads = view?.heads ?? [];
     render(
-      file
+      file || problem
         ? html`<p class="protocol-top">
-              <strong>${t("protocol-of", { name: file.name })}</strong>
+              <strong>${file ? t("protocol-of", { name: file.name }) : t("protocol-title")}</strong>
               <span role="status">${busy ? t("protocol-busy") : view ? say(view.ending) : ""}</span>
               <button type="button" @click=${over}>${iconPart("close")}<span>${t("protocol-close")}</span></button>
               ${guidePart("measured")}

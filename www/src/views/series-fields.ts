@@ -107,15 +107,23 @@ export function seriesProblem(problem: string, { rows }: Typed, names: readonly 
   const number = t("runs-vary", { number: Number(at) + 1 });
   if (refused.key === "setup-vary-nothing") return t("runs-nothing", { place: number, name });
   const field = FIELDS[member] ? `, ${t(FIELDS[member])}` : "";
-  return say({ ...refused, args: { ...refused.args, path: `${number}${field}`, name } });
+  const args = { ...refused.args, path: `${number}${field}` };
+  // below `follows` the name is that of the variable
+  return say({ ...refused, args: member === "follows" ? args : { ...args, name } });
 }
 
-/** What was typed. Throws what is no number, or how many parts there may be, in words. */
+/** A whole number from `least` to `most`; anything else is refused by the name of its field, and nothing is changed. */
+function whole(text: string, label: string, least: number, most: number): number {
+  const value = parseNumber(text);
+  if (value !== null && Number.isInteger(value) && value >= least && value <= most) return value;
+  throw new Error(t("runs-whole", { field: t(label), least, most }));
+}
+
+/** What was typed. Throws what is no number, or which ones there may be, in words. */
 export function seriesOf({ parts, seed, mode, rows }: Typed): Series {
-  const runs = number(parts);
-  if (!(runs >= 1 && runs <= MOST)) throw new Error(t("runs-range", { most: MOST }));
-  const from = Math.max(0, Math.trunc(number(seed)));
-  return { runs: Math.trunc(runs), seed: from, mode, vary: rows.map(varyOf) };
+  const runs = whole(parts, "runs-count", 1, MOST);
+  const from = whole(seed, "runs-seed", 0, Number.MAX_SAFE_INTEGER);
+  return { runs, seed: from, mode, vary: rows.map(varyOf) };
 }
 
 /** How the setup file calls a field; the name that a person reads is its label. */

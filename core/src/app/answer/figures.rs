@@ -33,7 +33,7 @@ pub struct Figure {
     pub deviation: Option<f64>,
     /// Unit at the call.
     pub unit: &'static str,
-    /// What limits its deviation; absent: nothing.
+    /// Its tolerance; absent: it has none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub limits: Option<Limited>,
 }

@@ -79,12 +79,12 @@ pub struct Needle {
     pub kind: BandKind,
 }
 
-/// What limits the deviation of a quantity.
+/// The tolerance of a quantity, as the drawing gives it. A safe area or a dimension difference is none.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
 pub struct Limited {
-    /// Smallest deviation that is permitted.
+    /// Smallest deviation within the tolerance.
     pub low: f64,
     /// Largest one.
     pub high: f64,
@@ -115,6 +115,11 @@ impl Gauge {
         self.needles.iter().map(|needle| needle.value - middle).max_by(|a, b| a.abs().total_cmp(&b.abs()))
     }
 
+    /// Whether nothing but the safe area limits anything: what lies in it was measured, not judged.
+    pub(super) fn is_area(&self) -> bool {
+        self.marks.iter().all(|mark| mark.name == AREA)
+    }
+
     /// The limit within which nothing is wrong.
     pub(super) fn limit(&self) -> Option<f64> {
         self.bands.iter().rfind(|band| band.kind != BandKind::Bad).map(|band| band.to)
@@ -134,11 +139,16 @@ struct Limits {
     others: Vec<(&'static str, f64)>,
     /// Whether a deviation on the limit is beyond it.
     reached: bool,
+    /// The tolerance of the drawing, lower and upper; none: the call has none.
+    tolerance: Option<[f64; 2]>,
 }
 
+/// The safe area.
+const AREA: &str = "_TSA";
+
 /// The gauge of a call; none where nothing limits it, or nothing was measured. `sorts`: its quantities; those that it
-/// watches are told their limits. `told`: the limits of a quantity by another source than the call, where the call has
-/// a tolerance (its limits go in); none: those of the call.
+/// watches are told their tolerance. `told`: the limits of a quantity by another source than the call, where the call
+/// has a tolerance (its limits go in); none: those of the call.
 pub(super) fn gauge(
     called: &Called,
     entries: &[Entry],
@@ -160,10 +170,12 @@ pub(super) fn gauge(
     let needles: Vec<Needle> = watched
         .map(|(sort, figure)| {
             let value = figure.deviation.unwrap_or(0.0) - offset;
-            let [low, high] = Some(own).filter(|_| chain).and_then(|own| told(figure, own)).unwrap_or(own);
-            scale.get_or_insert([low, high]);
-            figure.limits = Some(Limited::new(low, high, value));
-            let kind = kind(value, [low, high], mean.map(|(_, value)| value), limits.reached);
+            let by = |own: [f64; 2]| told(figure, own).filter(|_| chain).unwrap_or(own);
+            let band = by(own);
+            scale.get_or_insert(band);
+            let tolerance = limits.tolerance.map(|both| by(both.map(per)));
+            figure.limits = tolerance.map(|[low, high]| Limited::new(low, high, value));
+            let kind = kind(value, band, mean.map(|(_, value)| value), limits.reached);
             Needle { label: label(*sort, &figure.symbol), value, kind }
         })
         .collect();
@@ -214,10 +226,10 @@ fn limits(inputs: &Inputs) -> Option<Limits> {
     let cycle = inputs.cycle;
     let given = |name: crate::name::Name| inputs.any(name).filter(|value| *value > 0.0);
     let both = |name: &'static str, value: f64| [(name, -value), (name, value)];
-    let plain = |outer, others| Limits { outer, mean: None, others, reached: false };
+    let plain = |outer, others| Limits { outer, mean: None, others, reached: false, tolerance: None };
     if let (Some(upper), Some(lower)) = (inputs.any(names::TUL), inputs.any(names::TLL)) {
         let band = symmetric(0.0, upper, lower);
-        let others: Vec<_> = [(names::TDIF, "_TDIF"), (names::TSA, "_TSA")]
+        let others: Vec<_> = [(names::TDIF, "_TDIF"), (names::TSA, AREA)]
             .into_iter()
             .filter_map(|(name, text)| Some((text, inputs.any(name)?)))
             .collect();
@@ -229,21 +241,22 @@ fn limits(inputs: &Inputs) -> Option<Limits> {
             Some((name, value)) => both(name, value),
             None => [("_TLL", band.lower), ("_TUL", band.upper)],
         };
-        return (outer[1].1 > 0.0).then_some(Limits { outer, mean, others, reached: false });
+        let tolerance = (band.upper > 0.0).then_some([band.lower, band.upper]);
+        return (outer[1].1 > 0.0).then_some(Limits { outer, mean, others, reached: false, tolerance });
     }
     if cycle.purpose.probe == ProbeUse::Tool && !cycle.purpose.calibrates.holds(inputs) {
         let (difference, area) = (given(names::TDIF), given(names::TSA));
-        let others = area.map(|value| ("_TSA", value)).into_iter().collect();
-        let (name, value) = difference.map(|value| ("_TDIF", value)).or(area.map(|value| ("_TSA", value)))?;
+        let others = area.map(|value| (AREA, value)).into_iter().collect();
+        let (name, value) = difference.map(|value| ("_TDIF", value)).or(area.map(|value| (AREA, value)))?;
         return Some(Limits { reached: true, ..plain(both(name, value), others) });
     }
     if let Some(area) = given(names::TSA) {
-        return Some(plain(both("_TSA", area), Vec::new()));
+        return Some(plain(both(AREA, area), Vec::new()));
     }
     let (tolerance, upper) = (given(address::H), given(address::U));
     let others = upper.map(|value| ("U", value)).into_iter().collect();
     let (name, value) = tolerance.map(|value| ("H", value)).or(upper.map(|value| ("U", value)))?;
-    Some(plain(both(name, value), others))
+    Some(Limits { tolerance: tolerance.map(|value| [-value, value]), ..plain(both(name, value), others) })
 }
 
 /// Whether the limits of a call watch a quantity; `chain`: the chain of tolerances of a tool offset.

@@ -2,7 +2,7 @@
 
 use super::figures::{Figure, Sort, found, measured as axis};
 use super::gauge::{BandKind, Gauge, Limited, gauge};
-use super::{Answer, Verdict, beyond, feature, inside};
+use super::{Answer, Verdict, beyond, feature, inside, within, words};
 use crate::entry::{Inputs, ProbeUse};
 use crate::geometry::{Dir, Wcs};
 use crate::machine::Entry;
@@ -58,13 +58,14 @@ pub fn measured(called: &Called, outcome: &run::Outcome, values: &Values) -> Ans
     }
     let figures: Vec<Figure> = sorts.into_iter().map(|(_, figure)| figure).collect();
     let verdict = verdict(&called.inputs, gauge.as_ref());
-    let words = if figures.is_empty() { "record-missing" } else { verdict.key() };
+    let missing = || Message::new("record-missing");
+    let verdict_words = if figures.is_empty() { missing() } else { words(verdict, None, gauge.as_ref()) };
     Answer {
         screen: None,
         feature: feature(&called.inputs),
         corrected: Vec::new(),
         verdict,
-        verdict_words: Message::new(words),
+        verdict_words,
         alarm: None,
         why: why(verdict, gauge.as_ref(), figures.is_empty()),
         figures,
@@ -110,13 +111,10 @@ fn verdict(inputs: &Inputs, gauge: Option<&Gauge>) -> Verdict {
 }
 
 fn why(verdict: Verdict, gauge: Option<&Gauge>, none: bool) -> Message {
-    let key = match verdict {
-        _ if none => return Message::new("record-why-missing"),
-        Verdict::Within => "answer-why-within",
-        _ => "record-why-beyond",
-    };
-    match gauge.and_then(|gauge| Some((gauge.limit()?, gauge.unit))) {
-        Some((limit, unit)) => Message::new(key).number("limit", limit).text("unit", unit),
+    match gauge.and_then(|gauge| Some((gauge, gauge.limit()?))) {
+        _ if none => Message::new("record-why-missing"),
+        Some((gauge, limit)) if verdict == Verdict::Within => within(gauge, limit),
+        Some((gauge, limit)) => Message::new("record-why-beyond").number("limit", limit).text("unit", gauge.unit),
         None => Message::new("answer-why-measured"),
     }
 }

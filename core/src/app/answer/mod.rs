@@ -115,7 +115,7 @@ pub(super) fn answer(called: &Called, outcome: &run::Outcome) -> Answer {
         screen: screen::screen(inputs, entries, (called.at, asked(called, entries.len(), outcome)), &outcome.control),
         corrected: corrected::corrected(entries, &outcome.control),
         verdict,
-        verdict_words: words(verdict, alarm),
+        verdict_words: words(verdict, alarm, gauge.as_ref()),
         alarm: alarm.map(|code| code.to_string()),
         why: why(stop, entries, alarm, gauge.as_ref()),
         figures: sorts.into_iter().map(|(_, figure)| figure).collect(),
@@ -203,11 +203,12 @@ fn beyond(inputs: &Inputs, tolerance: bool, over: Option<bool>) -> Verdict {
     }
 }
 
-fn words(verdict: Verdict, alarm: Option<Code>) -> Message {
-    let message = Message::new(verdict.key());
+/// The verdict in words. What only the safe area limits is not judged: it says no more than that.
+fn words(verdict: Verdict, alarm: Option<Code>, gauge: Option<&Gauge>) -> Message {
     match (verdict, alarm) {
-        (Verdict::Alarm, Some(code)) => message.text("code", code.to_string()),
-        _ => message,
+        (Verdict::Alarm, Some(code)) => Message::new(verdict.key()).text("code", code.to_string()),
+        (Verdict::Within, _) if gauge.is_some_and(Gauge::is_area) => Message::new("answer-within-area"),
+        _ => Message::new(verdict.key()),
     }
 }
 
@@ -231,12 +232,16 @@ fn why(stop: Option<&Stop>, entries: &[Entry], alarm: Option<Code>, gauge: Optio
         (Some(stop), _) => Raised::stop(stop).message,
         (None, Some(code)) => Message::new(alarms::key(code)),
         (None, None) => match (gauge, limit) {
-            (Some(gauge), Some(limit)) => {
-                Message::new("answer-why-within").number("limit", limit).text("unit", gauge.unit)
-            }
+            (Some(gauge), Some(limit)) => within(gauge, limit),
             _ => Message::new("answer-why-measured"),
         },
     }
+}
+
+/// Why a measurement is within its limits.
+fn within(gauge: &Gauge, limit: f64) -> Message {
+    let key = if gauge.is_area() { "answer-why-area" } else { "answer-why-within" };
+    Message::new(key).number("limit", limit).text("unit", gauge.unit)
 }
 
 /// A value of mm or degree in its unit.

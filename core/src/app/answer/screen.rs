@@ -116,6 +116,9 @@ const WORKPIECE: Family = Family {
     ],
 };
 
+/// The tool that is corrected: 0 of a zero offset, which the screen then leaves out (B:12608-12616).
+const CORRECTED: &str = "tool";
+
 /// The screen that a call showed, or that the program asks for behind it (CYCLE102); none: it showed none. `from`:
 /// index of its first entry of the trace; `asked`: what the program asks for, with its index.
 pub fn screen(
@@ -135,6 +138,7 @@ pub fn screen(
         fields
             .iter()
             .filter(named)
+            .filter(|field| stem_of(field) != CORRECTED || value(field) != 0.0)
             .map(|field| ScreenValue {
                 label: Message::new(field.key),
                 value: value(field),

@@ -120,6 +120,13 @@ fn the_verdict_follows_from_the_limits() {
             Verdict::Measured => assert!(answer.gauge.is_none(), "{name} {answer:?}"),
             Verdict::Alarm | Verdict::Stopped => {}
         }
+        // a safe area and a dimension difference are no tolerance
+        let drawn = ["_TUL", "_TLL", "_TMV", "H"];
+        let names: Vec<_> = answer.gauge.iter().flat_map(|gauge| &gauge.marks).map(|mark| mark.name).collect();
+        let limited = answer.figures.iter().any(|figure| figure.limits.is_some());
+        assert!(!limited || names.iter().any(|name| drawn.contains(name)), "{name} {answer:?}");
+        let area = !names.is_empty() && names.iter().all(|name| *name == "_TSA");
+        assert_eq!(answer.verdict_words.key == "answer-within-area", area && answer.verdict == Verdict::Within);
         if let Some(gauge) = &answer.gauge {
             assert!(gauge.bands.windows(2).all(|pair| pair[0].to == pair[1].from), "{name} {gauge:?}");
             let ends = [gauge.bands.first().unwrap().from, gauge.bands.last().unwrap().to];

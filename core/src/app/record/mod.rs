@@ -16,7 +16,7 @@ use super::jog::JogView;
 use super::protocol::ProtocolView;
 use super::run::{RunAnswer, amid, answers};
 use crate::dialect::Dialect;
-use crate::machine::Setup;
+use crate::machine::{Clock, Setup};
 use crate::message::Message;
 use crate::run::Outcome;
 use serde::{Deserialize, Serialize};
@@ -64,7 +64,7 @@ pub struct RecordAbout {
     pub control: Dialect,
     /// What the user calls the machine; empty: nothing.
     pub machine: String,
-    /// Date and time of the control when the program began, `2026-05-31T08:00:00`.
+    /// Date and time of the control when the program began, `2026-05-31T08:00:00`; empty: the setup gives none.
     pub clock: String,
     /// Diameter of the ball of the workpiece probe, mm.
     pub ball: f64,
@@ -87,7 +87,7 @@ impl RecordAbout {
         RecordAbout {
             control: setup.control.dialect,
             machine: setup.name.clone(),
-            clock: setup.clock.to_string(),
+            clock: if setup.clock == Clock::default() { String::new() } else { setup.clock.to_string() },
             ball: 2.0 * setup.probe.radius,
             worth: [worth, "record-worth-machine"].map(Message::new).into(),
         }

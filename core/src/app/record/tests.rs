@@ -178,3 +178,23 @@ fn a_session_has_the_same_record_in_page_and_terminal() {
     assert!(page.calls.iter().any(|call| !call.answer.figures.is_empty()), "{page:?}");
     assert_eq!(page, Record::of_jog("edge.jog".to_owned(), &setup, view));
 }
+
+// oracle: manual B:1346-1360, hand: a safe area is no limit of the part
+#[test]
+fn a_safe_area_is_no_tolerance() {
+    let record = record(&MEASURE.replace("_MVAR=1 ", "_MVAR=101 "), 0.01, |_| {});
+    let call = &record.calls[0];
+    assert!(!call.answer.figures.is_empty() && call.answer.gauge.is_some(), "{call:?}");
+    assert!(call.answer.figures.iter().all(|figure| figure.limits.is_none()), "{call:?}");
+    assert_eq!(call.answer.why.key, "answer-why-area");
+    let text = csv(&record, &|message| plain(message, "."));
+    assert!(text.contains("record-unlimited") && !text.contains("record-within"), "{text}");
+}
+
+// oracle: definition: a moment that nobody gave is none
+#[test]
+fn a_record_has_the_clock_of_its_setup_only() {
+    assert_eq!(record(MEASURE, 0.0, |_| {}).about.clock, "");
+    let clock = "2026-05-31T08:00:00";
+    assert_eq!(record(MEASURE, 0.0, |setup| setup.clock = clock.parse().unwrap()).about.clock, clock);
+}

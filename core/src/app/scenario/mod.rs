@@ -57,7 +57,7 @@ pub struct CaseView {
 /// Carries out a scenario, each case from the beginning.
 ///
 /// # Errors
-/// A file that it names is not there, or what the machine of a case describes cannot be.
+/// It has no case, a file that it names is not there, or what the machine of a case describes cannot be.
 pub fn scenario(asked: ScenarioRequest) -> Result<ScenarioView, Error> {
     let ScenarioRequest { scenario, beside } = asked;
     let beside = beside.unwrap_or_default();
@@ -69,6 +69,9 @@ pub fn scenario(asked: ScenarioRequest) -> Result<ScenarioView, Error> {
     let with = with.collect::<Result<Vec<_>, Error>>()?;
     let member = |name: &str| Step::Member(name.to_owned());
     setup_file::setup(scenario.setup.clone()).map_err(|refused| refused.within(member("setup")))?;
+    if scenario.cases.is_empty() {
+        return Err(Error::new("scenario-no-case", Path::of(&["cases"])));
+    }
     let cases = scenario.cases.iter().enumerate().map(|(index, case)| {
         let within = |refused: Error| refused.within(Step::Element(index)).within(member("cases"));
         let setup = scenario.machine(case).map_err(within)?;

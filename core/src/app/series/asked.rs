@@ -9,8 +9,10 @@ use crate::dialect::Dialect;
 use crate::machine::Setup;
 use crate::machine::series::Series;
 use crate::message::Message;
-use crate::run::{Limits, Outcome, Session};
+use crate::refused::Path;
+use crate::run::{self, Limits, Outcome, Session};
 use crate::series::draw::{self, Variable};
+use crate::syntax::programs::programs;
 use crate::syntax::{self, Program};
 use serde::{Deserialize, Serialize};
 use std::rc::Rc;
@@ -124,6 +126,19 @@ pub struct Prepared {
 }
 
 impl Prepared {
+    /// Refuses a main program that the text does not have, before the first run.
+    ///
+    /// # Errors
+    /// Which programs it has.
+    pub fn begins(&self) -> Result<(), Error> {
+        let Some(name) = &self.main else { return Ok(()) };
+        let found = run::main_program(&programs(&self.program), name).map(|_| ());
+        found.map_err(|problem| {
+            let refused = Error::new("run-program-unknown", Path::of(&["program"]));
+            Error { message: problem.message, ..refused }
+        })
+    }
+
     /// Carries it out once, on this machine.
     pub(in crate::app) fn run(&self, machine: &Setup) -> Outcome {
         let limits = Limits { steps: Some(WORK), ..Limits::default() }.unrecorded();
@@ -138,12 +153,15 @@ impl Prepared {
 /// Reads what is to be run.
 ///
 /// # Errors
-/// The machine cannot be, a number of the series is beyond its range, or it names nothing of the machine.
+/// The machine cannot be, a number of the series is beyond its range, it names nothing of the machine, or the text has
+/// no program of this name.
 pub(in crate::app) fn prepared(mut asked: SeriesRequest) -> Result<Prepared, Error> {
     let setup = machine(&mut asked)?;
     setup.varies()?;
     draw::known(&setup)?;
-    Ok(read(setup, asked))
+    let prepared = read(setup, asked);
+    prepared.begins()?;
+    Ok(prepared)
 }
 
 /// A program that was read, on its machine.

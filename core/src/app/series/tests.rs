@@ -286,3 +286,24 @@ fn all_that_is_offered_is_known_to_the_machine() {
     assert!(made.1.series.vary.len() >= 2);
     draw::known(&made.1).unwrap();
 }
+
+// oracle: manual B:1346-1360, hand: the tolerance is that of the drawing; a safe area, or a dimension difference that
+// is narrower than the tolerance, says nothing about the part
+#[test]
+fn only_a_tolerance_has_a_capability() {
+    let varied = || vec![size(0.004, 0.0)];
+    let (_, mut setup) = hole(WIDE, varied(), 100, Mode::Independent);
+    let text = "G17 G54 G90 T9 D1 M6\nG0 X0 Y0\nZ-10\n_TSA=1 _FA=2 _MVAR=101 _SETVAL=50 _KNUM=0 _PRNUM=1\nCYCLE977\n\
+        M30\n";
+    let view = ran(&(Rc::new(read(Dialect::Sinumerik, text.as_bytes())), setup.clone()));
+    assert!(view.calls[0].measured.iter().all(|figure| figure.limits.is_none() && figure.capability.is_none()));
+    assert_eq!(view.calls[0].verdicts[0].words.key, "answer-within-area");
+    let limits = |tolerances: &str| {
+        let (program, _) = hole(tolerances, Vec::new(), 0, Mode::Independent);
+        setup.series = Series { runs: 100, seed: 3, mode: Mode::Independent, vary: varied() };
+        ran(&(program, setup.clone())).calls[0].measured[0].limits
+    };
+    let mut limits = limits;
+    assert_eq!(limits(WIDE), Some([-0.03, 0.03]));
+    assert_eq!(limits(&format!("{WIDE} _TDIF=0.02")), Some([-0.03, 0.03]));
+}

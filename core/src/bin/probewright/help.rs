@@ -72,6 +72,9 @@ fn wrong(error: &clap::Error, words: &Words) -> Option<String> {
         ErrorKind::InvalidValue => "terminal-wrong-value",
         ErrorKind::ValueValidation => "terminal-wrong-number",
         ErrorKind::MissingRequiredArgument => "terminal-wrong-missing",
+        ErrorKind::ArgumentConflict if part(&[ContextKind::InvalidArg]) == part(&[ContextKind::PriorArg]) => {
+            "terminal-wrong-twice"
+        }
         ErrorKind::ArgumentConflict => "terminal-wrong-conflict",
         _ => return None,
     };

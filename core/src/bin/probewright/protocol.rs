@@ -56,7 +56,9 @@ impl Named {
                 "deviation" => &mut columns.deviation,
                 _ => return Err(wrong()),
             };
-            *place = Some(column.trim().to_owned());
+            if place.replace(column.trim().to_owned()).is_some() {
+                return Err(file::wrong(Message::new("terminal-column-twice").text("name", name.trim())));
+            }
         }
         let columns = (!self.columns.is_empty()).then_some(columns);
         Ok(Some(Protocol { paths: self.measured.clone(), texts, columns }))

@@ -41,6 +41,10 @@ pub fn read(asked: &Arguments, words: &Words, out: &mut dyn Write) -> Result<Exi
         }
         return Ok(ExitCode::SUCCESS);
     }
+    if app::is_log(&joined.text) {
+        let path = printable(&asked.file.display().to_string());
+        return Err(file::wrong_file(&asked.file, Message::new("terminal-read-log").text("path", path)));
+    }
     let control = machine.map_or_else(|| delivery(joined.dialect), |setup| setup.control);
     let joined = joined.of(control.dialect);
     let program = syntax::read_held(joined.dialect, &joined.text, &control.definitions.macros, &mut |_| {});

@@ -93,7 +93,7 @@ pub fn run(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Result<
     let file = arguments.file.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
     let given = Given { file, program: arguments.program.clone(), values: values(&arguments.arg)? };
     let (mode, target) = (arguments.mode(), arguments.target.unwrap_or_default());
-    let limits = Limits { steps: arguments.max_blocks, strict: arguments.strict, mode, target, ..Limits::default() };
+    let limits = Limits { strict: arguments.strict, mode, target, ..Limits::default() }.permitted(arguments.max_blocks);
     let limits = if arguments.whole() { limits } else { limits.unrecorded() };
     let setup = setup(arguments, words, out)?;
     let mut text = text.on(setup.as_ref(), arguments)?;
@@ -314,17 +314,19 @@ fn values(asked: &[String]) -> Result<BTreeMap<String, Value>, Problem> {
 /// What came out, how the run ended last; why it ended early is among the findings.
 fn print_outcome(joined: &Joined, outcome: &Outcome, words: &Words, out: &mut dyn Write) -> std::io::Result<()> {
     for ((call, step), other) in outcome.by_call().zip(outcome.trace.entries.others()) {
+        let at = other.line.map_or(String::new(), |line| {
+            let (path, line) = joined.line(line);
+            format!("{}:{}: ", path.display(), line + 1)
+        });
         match step {
             Step::Decision { message: decision } => {
-                writeln!(out, "{}{}", place(joined, call), words.text(decision))?;
+                // a subprogram that is no measuring call has its line alone
+                let at = if call.is_some() { place(joined, call) } else { at };
+                writeln!(out, "{at}{}", words.text(decision))?;
             }
             Step::Message { text, waits } => {
                 let key = if *waits { "terminal-waits" } else { "terminal-message" };
                 let told = words.text(&Message::new(key).text("text", printable(text)));
-                let at = other.line.map_or(String::new(), |line| {
-                    let (path, line) = joined.line(line);
-                    format!("{}:{}: ", path.display(), line + 1)
-                });
                 writeln!(out, "{at}{told}")?;
             }
             _ => {}

@@ -7,7 +7,8 @@ use probewright_core::app::{
     self, Certain, OfCall, SeriesCall, SeriesFigure, SeriesShare, SeriesSpread, SeriesView, WholeCertainty,
 };
 use probewright_core::json;
-use probewright_core::message::Message;
+use probewright_core::machine::series::MOST_RUNS;
+use probewright_core::message::{Message, printable};
 use probewright_core::series::spread::unseen;
 use probewright_core::syntax;
 use probewright_core::words::Words;
@@ -23,10 +24,10 @@ pub struct Arguments {
     file: PathBuf,
     #[arg(long)]
     setup: PathBuf,
-    #[arg(long, value_name = "NUMBER")]
-    runs: Option<u32>,
-    #[arg(long, value_name = "NUMBER")]
-    seed: Option<u64>,
+    #[arg(long, value_name = "NUMBER", allow_negative_numbers = true)]
+    runs: Option<String>,
+    #[arg(long, value_name = "NUMBER", allow_negative_numbers = true)]
+    seed: Option<String>,
     #[arg(long, value_name = "FILES", num_args = 1..)]
     with: Vec<PathBuf>,
     #[arg(long, value_name = "NAME")]
@@ -39,19 +40,35 @@ pub struct Arguments {
     csv: Option<PathBuf>,
 }
 
+/// Fewest runs that tell how certain something is: one alone does not spread.
+const FEWEST: u64 = 2;
+
+/// A whole number from here to there, as an argument of this name gives it.
+fn whole(text: Option<&str>, name: &str, [min, max]: [u64; 2]) -> Result<Option<u64>, Problem> {
+    let Some(text) = text else { return Ok(None) };
+    let message = || Message::new("terminal-whole").text("value", printable(text)).text("name", name);
+    let range = |message: Message| message.text("min", min.to_string()).text("max", max.to_string());
+    let number = text.trim().parse().ok().filter(|number| (min..=max).contains(number));
+    number.map(Some).ok_or_else(|| file::wrong(range(message())))
+}
+
 /// Runs a program many times; 1 when not one run reached its end.
 pub fn series(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Result<ExitCode, Problem> {
+    let fewest = if arguments.certainty { FEWEST } else { 1 };
+    let runs = whole(arguments.runs.as_deref(), "--runs", [fewest, u64::from(MOST_RUNS)])?.map(|runs| runs as u32);
+    let seed = whole(arguments.seed.as_deref(), "--seed", [0, u64::MAX])?;
     let mut setup = file::setup(&arguments.setup, arguments.json, words, out)?;
-    setup.series.runs = arguments.runs.unwrap_or(setup.series.runs);
-    setup.series.seed = arguments.seed.unwrap_or(setup.series.seed);
+    setup.series.runs = runs.unwrap_or(setup.series.runs);
+    setup.series.seed = seed.unwrap_or(setup.series.seed);
     setup.varies().map_err(|refused| file::wrong(refused.message))?;
     let joined = Joined::read(&arguments.file, &arguments.with, None)?.of(setup.control.dialect);
     let macros = Arc::clone(&setup.control.definitions.macros);
     let program = Rc::new(syntax::read_held(joined.dialect, &joined.text, &macros, &mut |_| {}));
     let main = arguments.program.clone();
     let prepared = app::Prepared { setup, program, main };
+    prepared.begins().map_err(|refused| file::wrong_file(&arguments.file, refused.message))?;
     if arguments.certainty {
-        let view = app::whole_certainty(&prepared, arguments.runs, arguments.seed, &mut |_| {});
+        let view = app::whole_certainty(&prepared, runs, seed, &mut |_| {});
         return certain(&joined, &view, arguments.json, words, out);
     }
     let view = app::series(&prepared, &mut |_| {});
@@ -148,6 +165,9 @@ fn print(joined: &Joined, view: &SeriesView, words: &Words, out: &mut dyn Write)
         let named = if alarm.raised.code.is_empty() { String::new() } else { format!("{name}: ") };
         let share = words.text(&alarm.told);
         writeln!(out, "{share}: {named}{}", words.text(&alarm.raised.message))?;
+    }
+    if view.calls.is_empty() {
+        writeln!(out, "{}", words.key("series-nothing"))?;
     }
     if view.alarms.is_empty() && view.runs > 0 {
         let most = count("series-no-alarm").number("most", percent(unseen(view.runs as usize)));

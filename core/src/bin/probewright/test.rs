@@ -161,11 +161,12 @@ fn document(Carried { path, came }: &Carried) -> serde_json::Value {
 
 /// As tools that collect test results read it.
 fn junit(all: &[Carried], words: &Words) -> String {
-    let mut text = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n");
-    for Carried { path, came } in all {
+    let mut text = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
+    // a text takes whatever is written
+    let _ = writeln!(text, "<testsuites {}>", counted(all));
+    for carried @ Carried { path, came } in all {
         let suite = quoted(&path.display().to_string());
-        // a text takes whatever is written
-        let _ = writeln!(text, "  <testsuite name=\"{suite}\">");
+        let _ = writeln!(text, "  <testsuite name=\"{suite}\" {}>", counted([carried]));
         let mut case = |id: &str, told: &[String]| {
             let _ = match told {
                 [] => writeln!(text, "    <testcase classname=\"{suite}\" name=\"{}\"/>", quoted(id)),
@@ -190,6 +191,17 @@ fn junit(all: &[Carried], words: &Words) -> String {
     }
     text.push_str("</testsuites>\n");
     text
+}
+
+/// How many cases there are and how many of them failed; a scenario that was not carried out is one.
+fn counted<'a>(all: impl IntoIterator<Item = &'a Carried>) -> String {
+    let [mut tests, mut failures] = [0, 0];
+    for one in all {
+        let cases = one.came.as_ref().map_or(&[][..], |view| &view.cases[..]);
+        tests += cases.len().max(1);
+        failures += cases.iter().filter(|case| !case.differences.is_empty()).count() + usize::from(cases.is_empty());
+    }
+    format!("tests=\"{tests}\" failures=\"{failures}\"")
 }
 
 /// A text in XML; what XML has no character for is left out.

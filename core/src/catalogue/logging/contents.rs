@@ -69,6 +69,16 @@ pub fn header_of(control: &Control, date: &str, time: &str, page: i64) -> Vec<St
     head.into_iter().chain(own).chain([dashes.clone()]).chain(titles).chain([dashes]).collect()
 }
 
+/// Lines of a log before the first one of its header: what a transfer puts there.
+const BEFORE_HEADER: usize = 4;
+
+/// Whether a text is a log with the header that the cycles print by themselves.
+pub fn is_log(text: &str) -> bool {
+    let [date, time, page] = DATE_TIME_PAGE;
+    let mut first = text.lines().take(BEFORE_HEADER + 1);
+    first.any(|line| line.starts_with(date) && line.contains(time) && line.contains(page))
+}
+
 /// Refuses what cannot be printed, as CYCLE105 does at each call (A:15903-15948).
 fn judge(machine: &mut dyn Machine) -> Result<(), Stop> {
     let control = machine.control();

@@ -183,10 +183,11 @@ fn follow(machine: &mut dyn Machine, state: &mut State) -> bool {
         state.number += 1;
         if state.full() {
             machine.record(Step::Message { text: LOG_NAME.to_owned(), waits: true });
+            // told once: what comes later is left out as well
+            machine.record(Step::Decision { message: Message::new(LOG_FULL).text("file", &state.log) });
         }
     }
     if state.full() {
-        machine.record(Step::Decision { message: Message::new(LOG_FULL).text("file", &state.log) });
         return false;
     }
     make(machine, &state.file());

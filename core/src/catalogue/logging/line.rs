@@ -106,14 +106,27 @@ pub fn widths(title: &str) -> impl Iterator<Item = usize> {
     title.split(',').map(|text| text.chars().count())
 }
 
-/// A number with so many decimals. A 0 has no sign.
+/// A number with so many decimals, exact halves away from 0. A 0 has no sign.
 pub fn rounded(value: f64, decimals: f64) -> String {
     let decimals = decimals.clamp(0.0, DECIMALS as f64) as usize;
+    let value = if is_half(value, decimals) { away(value) } else { value };
     let text = format!("{value:.decimals$}");
     match text.strip_prefix('-') {
         Some(zero) if zero.bytes().all(|byte| matches!(byte, b'0' | b'.')) => zero.to_owned(),
         _ => text,
     }
+}
+
+/// Whether a number lies exactly between two with so many decimals: it then has one decimal more, and as many binary
+/// places as that.
+fn is_half(value: f64, decimals: usize) -> bool {
+    let scaled = value * (1_u64 << (decimals + 1)) as f64;
+    scaled.fract() == 0.0 && (scaled % 2.0).abs() == 1.0
+}
+
+/// The next number that is farther from 0.
+fn away(value: f64) -> f64 {
+    if value < 0.0 { value.next_down() } else { value.next_up() }
 }
 
 /// What a field prints on this control; none: it cannot be printed.
@@ -177,6 +190,38 @@ fn plain(digits: &str) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    // oracle: hand: decimal arithmetic, halves away from 0; 1.005 is below its half as a binary number
+    #[test]
+    fn exact_halves_are_rounded_away_from_zero() {
+        let texts = [
+            (2.5, 0.0, "3"),
+            (0.5, 0.0, "1"),
+            (-0.5, 0.0, "-1"),
+            (1.5, 0.0, "2"),
+            (0.125, 2.0, "0.13"),
+            (-0.125, 2.0, "-0.13"),
+            (0.0625, 3.0, "0.063"),
+            (0.0625, 4.0, "0.0625"),
+            (0.499, 0.0, "0"),
+            (-0.25, 0.0, "0"),
+            (1.005, 2.0, "1.00"),
+            (1e22, 1.0, "10000000000000000000000.0"),
+        ];
+        for (value, decimals, text) in texts {
+            assert_eq!(rounded(value, decimals), text, "{value} {decimals}");
+        }
+        // each multiple of 1/128 against whole numbers: 10^n/128 with its rest decides
+        for (count, decimals) in (0..1000_u64).flat_map(|count| (0..5_u32).map(move |decimals| (count, decimals))) {
+            let units = (count * 10_u64.pow(decimals) + 64) / 128;
+            let whole = 10_u64.pow(decimals);
+            let text = match decimals {
+                0 => units.to_string(),
+                _ => format!("{}.{:0width$}", units / whole, units % whole, width = decimals as usize),
+            };
+            assert_eq!(rounded(count as f64 / 128.0, f64::from(decimals)), text, "{count}/128");
+        }
+    }
 
     #[test]
     fn the_examples_of_the_manual() {

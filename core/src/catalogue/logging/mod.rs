@@ -19,6 +19,7 @@ mod tests;
 
 use crate::catalogue::prelude::*;
 use checks::checks;
+pub use contents::is_log;
 pub use keep::{LOG_DELETED, LOG_FULL};
 pub use picture::closed;
 use picture::picture;

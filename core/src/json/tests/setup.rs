@@ -109,7 +109,13 @@ fn an_error_of_a_setup_names_the_member_and_its_place() {
             "a whole number",
             "应为整数",
         ),
-        (r#""skip": [1, 300],"#, "skip[1]", 13, "cannot be 300", "不能是 300"),
+        (
+            r#""skip": [1, 300],"#,
+            "skip[1]",
+            13,
+            "is 300; permitted: whole numbers from 0 to 255",
+            "允许 0 到 255 的整数",
+        ),
         (r#""plane": "G20","#, "plane", 10, "“G20”; permitted: G17, G18, G19", "允许：G17, G18, G19"),
         (r##""data": {"#500": true},"##, "data.#500", 18, "a number or a text", "数字或文本"),
         (

@@ -6,7 +6,7 @@ use super::{ListCall, list_call, set};
 use crate::catalogue::CYCLES;
 use crate::catalogue::newer::LISTS;
 use crate::catalogue::newer::arguments::Argument;
-use crate::check::newer::{is_newer_zero, is_nothing};
+use crate::check::newer::{DIRECTION, MINUS, is_newer_zero, is_nothing};
 use crate::check::{Parsed, parse};
 use crate::diagnostic::{Diagnostic, Edit, Severity, Span};
 use crate::entry::{Inputs, names};

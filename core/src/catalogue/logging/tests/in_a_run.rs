@@ -132,7 +132,8 @@ fn after_the_tenth_file_another_name_is_wanted() {
     assert_eq!(outcome.control.number("R9"), 1.0);
     let said = |key: &str| outcome.decisions().iter().filter(|one| one.key == key).count();
     let blocks = outcome.files.iter().flat_map(|(_, lines)| lines).filter(|line| line.starts_with('x')).count();
-    assert_eq!(blocks + said("evaluate-log-full"), 110);
+    assert_eq!(blocks, 100, "ten in each file");
+    assert_eq!(said("evaluate-log-full"), 1, "once, at the first block that is left out");
     let of_run = told(&outcome).into_iter().filter(|key| key.starts_with("run-")).collect::<Vec<_>>();
     assert_eq!(of_run, ["run-log-full"]);
     let waits = outcome.trace.entries.iter().filter(|one| matches!(one.step, Step::Message { waits: true, .. }));
@@ -210,4 +211,26 @@ fn a_measurement_stops_where_its_block_cannot_be_printed() {
     let outcome = carried_out(&text, &setup);
     assert_eq!(outcome.stop, Some(Stop::Alarm(Code::Alarm(61361))));
     assert_eq!(outcome.control.number("R8"), 0.0);
+}
+
+// oracle: manual B:11288-11292 (any REAL number, decimals from 0 on, R parameters for several numbers), B:11258-11259
+// (date or time), hand: halves are rounded away from 0
+#[test]
+fn numbers_of_any_size_become_texts_and_wrong_calls_are_told() {
+    let called = |call: &str| carried_out(&format!("DEF STRING[12] T\n{call}\n_TXT[20]=T"), &setup());
+    for (call, text) in [
+        ("CYCLE118(2000000,3,T)", "2000000.000"),
+        ("R1=1234567.5\nCYCLE118(R1,0,T)", "1234568"),
+        ("CYCLE118(-1234567.25,2,T)", "-1234567.25"),
+        ("CYCLE118(2.5,0,T)", "3"),
+    ] {
+        let outcome = called(call);
+        assert_eq!((&outcome.stop, outcome.control.text("_TXT[20]")), (&None, text), "{:?}", outcome.diagnostics);
+    }
+    for call in ["CYCLE118(0,-1,T)", "CYCLE118(0,3,T,3)", "CYCLE113(3,T)"] {
+        let outcome = called(call);
+        assert!(matches!(&outcome.stop, Some(Stop::Fault(message)) if message.key == "run-call"), "{call}");
+        assert!(outcome.diagnostics.iter().any(|one| one.message.key.starts_with("check-")), "{call}");
+    }
+    assert_eq!(called("CYCLE118(0,3,T,11,1)").stop, Some(Stop::Alarm(Code::Alarm(61362))));
 }
