@@ -184,7 +184,7 @@ describe("a program file", () => {
     assert.match(await refusal(page).textContent(), /large\.mpf was not opened: it has 9000\u00a0MB, more than/);
     await counts(page.locator(".panel-program .refusal:visible"), 1);
     assert.deepEqual(await saved(page, ".panel-program", "Save"), earlier);
-    await page.locator(".panel-program .refusal button").click();
+    await page.locator(".panel-program .refusal button.quiet").click();
     await page.locator(".panel-program .refusal").waitFor({ state: "hidden" });
     await context.close();
   });
