@@ -27,7 +27,7 @@ evaluate-tool-difference = Differenz { $difference } mm erreicht oder überschr
 evaluate-tool-small = Differenz { $difference } mm liegt im Nullkorrekturbereich, { $limit } mm: Dieser Wert wird nicht korrigiert.
 evaluate-tool-geometry = Differenz { $difference } mm und bisheriger Verschleiß werden in die Geometrie eingerechnet; der Verschleiß wird 0.
 evaluate-tool-wear = Differenz { $difference } mm wird im Verschleiß korrigiert.
-evaluate-tool-simulated = Differenz { $difference } mm wird nicht korrigiert: Diese Simulation korrigiert nichts.
+evaluate-tool-simulated = Differenz { $difference } mm wird nicht korrigiert: Diese Simulation korrigiert nichts.
 evaluate-compensation-make = Die Korrekturtabelle dieses Messtasterherstellers (_TP_CF = { $make }) liegt in der Steuerung und steht in keinem Handbuch: Die Simulation subtrahiert nichts. Bei _MT_COMP = 2 gelten eigene Tabellen in _MT_EC_R und _MT_EC_L.
 evaluate-compensation = Vom Messwert werden { $amount } mm aus Korrekturtabelle { $table } subtrahiert.
 evaluate-screen = Die Steuerung zeigt das Messergebnisbild, bis der Zyklus endet.

@@ -27,7 +27,7 @@ evaluate-tool-difference = Difference { $difference } mm is not below the permi
 evaluate-tool-small = Difference { $difference } mm does not exceed the zero compensation area, { $limit } mm: this value is not corrected.
 evaluate-tool-geometry = Difference { $difference } mm and the previous wear go into the geometry; the wear is set to 0.
 evaluate-tool-wear = Difference { $difference } mm is corrected in the wear.
-evaluate-tool-simulated = Difference { $difference } mm is not corrected: this simulation corrects nothing.
+evaluate-tool-simulated = Difference { $difference } mm is not corrected: this simulation corrects nothing.
 evaluate-compensation-make = The table of this probe make (_TP_CF = { $make }) is internal to the control and not in any manual: it is not applied here. Your own table in _MT_EC_R and _MT_EC_L, with _MT_COMP = 2, is applied.
 evaluate-compensation = { $amount } mm from table { $table } is subtracted from the measured value.
 evaluate-screen = The control shows the measuring result screen until the cycle ends.

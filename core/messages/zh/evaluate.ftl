@@ -28,7 +28,7 @@ evaluate-tool-difference = 偏差 { $difference } mm 不小于允许尺寸差 {
 evaluate-tool-small = 偏差 { $difference } mm 不大于零补偿区 { $limit } mm：该值不作补偿。
 evaluate-tool-geometry = 偏差 { $difference } mm 和原磨损值一并计入几何值，磨损值清零。
 evaluate-tool-wear = 偏差 { $difference } mm 补偿到磨损值中。
-evaluate-tool-simulated = 偏差 { $difference } mm 未补偿：此仿真不作补偿。
+evaluate-tool-simulated = 偏差 { $difference } mm 未补偿：此仿真不作补偿。
 evaluate-compensation-make = 该型号测头（_TP_CF = { $make }）的补偿表在控制系统内部，手册中没有：模拟不作扣除。_MT_COMP = 2 时使用 _MT_EC_R 和 _MT_EC_L 中的用户自定义表。
 evaluate-compensation = 按表 { $table } 从测量值中扣除 { $amount } mm。
 evaluate-screen = 控制系统显示测量结果画面，直到循环结束。

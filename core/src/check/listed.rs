@@ -1,6 +1,5 @@
 //! Arguments of a call as such: of the wrong sort, too many, a selection that tells no variant.
 
-use super::{Parsed, parse};
 use crate::diagnostic::Diagnostic;
 use crate::entry::{Arg, ArgumentList, Cycle, Kind, Param, Style};
 use crate::own;
@@ -60,16 +59,12 @@ pub fn refused(
     Some(selection(list.name, index, number(index)?, choices))
 }
 
-/// Numbers as a program writes them where the older control takes variables: newer ones have a list of their own there,
-/// which is not published (CYCLE116, CYCLE119).
-pub fn numbers_for_variables<'a>(
-    list: &ArgumentList,
-    texts: impl Iterator<Item = Option<&'a str>>,
-) -> Option<Diagnostic> {
+/// Numbers where the older control takes variables: newer ones have a list of their own there, which is not published
+/// (CYCLE116, CYCLE119). `numbers`: of each argument, whether a program writes it as a number.
+pub fn numbers_for_variables(list: &ArgumentList, numbers: impl Iterator<Item = bool>) -> Option<Diagnostic> {
     let variable = |arg: &Arg| matches!(arg, Arg::Variable(_) | Arg::Output(_));
-    let mut written = list.args.iter().zip(texts).filter(|(arg, _)| list.style == Style::Direct && variable(arg));
-    let number = |text: Option<&str>| text.is_some_and(|text| matches!(parse(text), Parsed::Number(_)));
-    written.any(|(_, text)| number(text)).then(|| own::NEWER_NO_LIST.finding().text("cycle", list.name))
+    let mut written = list.args.iter().zip(numbers).filter(|(arg, _)| list.style == Style::Direct && variable(arg));
+    written.any(|(_, number)| number).then(|| own::NEWER_NO_LIST.finding().text("cycle", list.name))
 }
 
 /// An argument that selects nothing.

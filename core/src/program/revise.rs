@@ -141,7 +141,8 @@ fn replaced(
 }
 
 /// The parameters that the variant which this value chooses does not know: none of the cycle's own that it asks for on
-/// no machine, and none that the call uses now and would not use then.
+/// no machine, and none that the call uses now and would not use then. A list of a newer control has its arguments in
+/// every variant: they stay.
 fn idle(site: &CallSite, name: &str, value: &str, control: &Control) -> Vec<Name> {
     let cycle = site.cycle;
     if cycle.variant_param().is_none_or(|own| own != name) {
@@ -162,7 +163,8 @@ fn idle(site: &CallSite, name: &str, value: &str, control: &Control) -> Vec<Name
         let unknown = !param.is_machine_datum() && !param.is_known(&now);
         unknown || param.need(&before).is_some() && param.need(&now).is_none()
     };
-    cycle.params.iter().filter(idle).map(|param| param.name).collect()
+    let listed = |name: Name| site.newer_list().is_some_and(|list| list.position(name).is_some());
+    cycle.params.iter().filter(idle).map(|param| param.name).filter(|name| !listed(*name)).collect()
 }
 
 /// Edits that take these values out of the words and arguments that are the call's own.

@@ -101,10 +101,11 @@ fn a_number_that_no_program_has_is_told() {
         hole("", "9", "1", ","),
         hole("", "1", "7", ","),
         angle("301", "1"),
-        angle("102", "7"),
     ] {
         assert_eq!(of_calls(&other), open, "{other}");
     }
+    // the axis is known, so the 7 at the direction stands where a lost argument has put it
+    assert_eq!(of_calls(&angle("102", "7")), [(Severity::Error, "newer-lost".to_owned())]);
     let (same, why) = converted(&angle("301", "1"), 0, Style::Direct);
     assert_eq!((same, why), (angle("301", "1"), vec!["convert-newer".to_owned()]));
     for (centre, mode, key) in [(",", "11", "newer-centre-missing"), ("-3,", "1", "newer-centre-unused")] {

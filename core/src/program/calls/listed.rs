@@ -33,11 +33,9 @@ impl Walk<'_> {
         };
         let Some(cycle) = cycle else { return };
         // as it is written: a variable may hold a number
-        let texts: Vec<Option<String>> =
-            args.iter().map(|id| Some(self.program.written(self.program.place(self.program.given(*id)?)))).collect();
-        let texts = texts.iter().map(Option::as_deref);
+        let numbers = args.iter().map(|id| self.program.number(*id).is_some());
         let refused = list
-            .and_then(|list| numbers_for_variables(list, texts))
+            .and_then(|list| numbers_for_variables(list, numbers))
             .or_else(|| refused(cycle, list, count(&arguments), |index| arguments::number(&arguments, index)));
         let called = Called { cycle, span, list, refused };
         let given = match list {
