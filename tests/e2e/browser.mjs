@@ -48,6 +48,7 @@ export async function launch(setup = "neither") {
 export async function open(browser, { path = "#measure", ...options } = {}) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, locale: "en-GB", ...options });
   context.setDefaultTimeout(30_000); // a busy machine with two cores takes a third of it
+  context.setDefaultNavigationTimeout(90_000); // of the sources, which are put together while they are loaded
   const page = await context.newPage();
   if (process.env.PROBEWRIGHT_SLOW) await slow(page, Number(process.env.PROBEWRIGHT_SLOW));
   const problems = watch(page);
