@@ -13,7 +13,7 @@ const bundles = new Map<string, Messages>([[FALLBACK, made(FALLBACK, first)]]);
 const missing = new Set<string>();
 let order: string[] = [FALLBACK];
 const helped = new Set<string>(); // languages whose words of help are here
-const helping = new Map<string, Promise<void>>(); // and those whose are on the way or here: each is fetched once
+const fetched = new Map<string, Promise<void>>(); // words that are on the way or here, by what they are
 
 function made(language: string, words: string): Messages {
   const messages = createMessages(language);
@@ -34,14 +34,17 @@ export function allWords(): boolean {
 
 /** The words of the help pages, in the language that is spoken. */
 export async function helpWords(): Promise<void> {
-  await Promise.all(order.map(helpIn));
+  await Promise.all(order.map(one => once(`${one} help`, () => fetchHelp(one))));
 }
 
-function helpIn(one: string): Promise<void> {
-  const fetched = helping.get(one) ?? fetchHelp(one);
-  helping.set(one, fetched);
-  fetched.catch(() => helping.delete(one)); // it may be had the next time
-  return fetched;
+/** Who asks while words are on the way gets the same ones; what failed may be had the next time. */
+function once(what: string, fetch: () => Promise<void>): Promise<void> {
+  const known = fetched.get(what);
+  if (known) return known;
+  const coming = fetch();
+  fetched.set(what, coming);
+  coming.catch(() => fetched.delete(what));
+  return coming;
 }
 
 async function fetchHelp(one: string): Promise<void> {
@@ -66,13 +69,13 @@ export function language(): string {
 }
 
 async function fetchWords(language: string): Promise<void> {
-  const words = bundles.has(language) ? undefined : await whole[language]?.();
+  const words = await whole[language]?.();
   if (words !== undefined) bundles.set(language, made(language, words));
 }
 
 /** Fetches the words of every language, but for the help pages. */
 export async function everyLanguage(): Promise<void> {
-  await Promise.all(languages().map(fetchWords));
+  await Promise.all(languages().map(one => once(one, () => fetchWords(one))));
 }
 
 /** Fetches the first of the wanted languages that there is and speaks it, English behind it; gives the one taken. */
@@ -81,7 +84,7 @@ export async function choose(wanted: readonly string[]): Promise<string> {
   const found =
     wanted.map(one => (there.includes(one) ? one : (one.split("-")[0] ?? one))).find(one => there.includes(one)) ??
     FALLBACK;
-  await fetchWords(found);
+  await once(found, () => fetchWords(found));
   order = [...new Set([found, FALLBACK])];
   return found;
 }

@@ -352,5 +352,5 @@ concept-told-mono = { $beside ->
     }
 concept-told-repeated = { $count ->
         [1] Eine Antastung, { $mean } µm neben der Stelle; der Messtaster streut um { $scatter } µm.
-       *[other] Der Mittelwert aus { $count } Antastungen liegt { $mean } µm neben der Stelle. Er streut um { $scatter } µm, eine einzelne um 1.1 µm.
+       *[other] Der Mittelwert aus { $count } Antastungen liegt { $mean } µm neben der Stelle. Er streut um { $scatter } µm, eine einzelne um { $single } µm.
     }

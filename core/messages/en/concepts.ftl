@@ -352,5 +352,5 @@ concept-told-mono = { $beside ->
     }
 concept-told-repeated = { $count ->
         [1] One touch, { $mean } µm beside the place, where the probe scatters by { $scatter } µm.
-       *[other] The mean of { $count } touches is { $mean } µm beside the place. It scatters by { $scatter } µm, a single touch by 1.1 µm.
+       *[other] The mean of { $count } touches is { $mean } µm beside the place. It scatters by { $scatter } µm, a single touch by { $single } µm.
     }

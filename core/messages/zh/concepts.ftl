@@ -351,5 +351,5 @@ concept-told-mono = { $beside ->
     }
 concept-told-repeated = { $count ->
         [1] 一次触碰，距该处 { $mean } µm；测头的离散为 { $scatter } µm。
-       *[other] { $count } 次触碰的平均值距该处 { $mean } µm。其离散为 { $scatter } µm，单次为 1.1 µm。
+       *[other] { $count } 次触碰的平均值距该处 { $mean } µm。其离散为 { $scatter } µm，单次为 { $single } µm。
     }

@@ -232,7 +232,8 @@ fn of_repeated(count: f64) -> ConceptPicture {
     let told = Message::new("concept-told-repeated")
         .number("count", count)
         .number("mean", (mean * 100.0).round() / 100.0)
-        .number("scatter", (SCATTER / count.sqrt() * 100.0).round() / 100.0);
+        .number("scatter", (SCATTER / count.sqrt() * 100.0).round() / 100.0)
+        .number("single", SCATTER);
     plane(shapes, [value_of(names::NMSP, count)].into_iter().collect(), told)
 }
 
