@@ -278,6 +278,8 @@ sentences! {
     OLDER_MISSING 217 Note "older-missing" "older-missing-hint";
     OLDER_CLASH 218 Warning "older-clash" "older-clash-hint";
     OLDER_CLASH_LATER 218 Warning "older-clash-later" "older-clash-later-hint";
+    CONVERT_SKIPPED 219 Error "convert-skipped" "convert-skipped-hint";
+    CONVERT_STAYS 220 Note "convert-stays" "";
     NCT_LEVELS 222 Note "nct-levels" "nct-levels-hint";
     NCT_MACRO_LEVELS 223 Error "nct-macro-levels" "nct-levels-deep-hint";
     NCT_SUBPROGRAM_LEVELS 223 Error "nct-subprogram-levels" "nct-levels-deep-hint";

@@ -23,6 +23,9 @@ convert-argument = Das Argument { $value } dieses Aufrufs ginge verloren: Andere
 convert-argument-hint = Im Aufruf die Zahl statt { $value } schreiben, dann den Aufruf umwandeln.
 convert-expression = Der Aufruf bleibt unverändert: { $value } für { $name } kann an der Stelle des neuen Textes einen anderen Wert ergeben.
 convert-expression-hint = { $name }={ $value } direkt vor den Aufruf schreiben; dazwischen darf nichts den Wert ändern.
+convert-skipped = Der Aufruf bleibt unverändert: { $name } wird nur auf manchen Wegen zum Aufruf zugewiesen; im neuen Aufruf gälte der Wert immer.
+convert-skipped-hint = { $name } auf jedem Weg zuweisen, oder direkt vor dem Aufruf.
+convert-stays = Bleibt stehen, wird aber von der Argumentliste nicht gelesen: { $names }. Neuere Steuerungen haben dafür Settingdaten, soweit bekannt.
 convert-unused = { $cycle } verwendet diese Werte in dieser Variante nicht, daher entfallen sie: { $names }.
 convert-macro = Der Aufruf bleibt unverändert: Ein Makro liefert mehrere Werte des Aufrufs.
 convert-macro-hint = Zuerst im Programm das Makro durch seinen Text ersetzen.

@@ -23,6 +23,9 @@ convert-argument = Argument { $value } of this call would be lost: no other call
 convert-argument-hint = Write the number instead of { $value } in the call, then convert the call.
 convert-expression = The call is unchanged: { $value }, assigned to { $name }, may have a different value at the position of the new text.
 convert-expression-hint = Write { $name }={ $value } directly before the call, with nothing in between that changes it.
+convert-skipped = The call is unchanged: { $name } is assigned on some paths to the call only; in the converted call it would always count.
+convert-skipped-hint = Assign { $name } on every path, or directly before the call.
+convert-stays = Left as written, but not read by the argument list: { $names }. Newer controls use setting data instead, where known.
 convert-unused = { $cycle } does not use these values in this variant, therefore omitted: { $names }.
 convert-macro = The call is unchanged: a macro supplies more than one of its values.
 convert-macro-hint = Replace the macro with its text in the program first.

@@ -23,6 +23,9 @@ convert-argument = 此调用的参数 { $value } 会丢失：其他书写方式�
 convert-argument-hint = 请先在调用中把 { $value } 写成数字，然后再转换此调用。
 convert-expression = 调用保持不变：赋给 { $name } 的 { $value } 在新文本所在处的值可能不同。
 convert-expression-hint = 请把 { $name }={ $value } 直接写在调用前面，其间不要改变该值。
+convert-skipped = 调用保持不变：只有部分路径给 { $name } 赋值；转换后该值会始终生效。
+convert-skipped-hint = 请在每条路径上给 { $name } 赋值，或直接在调用前赋值。
+convert-stays = 保持原样，但参数表不读取：{ $names }。较新的控制系统改用设定数据（就已公开的而言）。
 convert-unused = { $cycle } 在此方式下不使用这些值，因此省略：{ $names }。
 convert-macro = 调用保持不变：一个宏同时包含此调用的多个值。
 convert-macro-hint = 请先在程序中用宏的文本代替该宏。

@@ -49,6 +49,8 @@ pub struct CallSite {
     pub origins: BTreeMap<Name, Vec<Origin>>,
     /// Of the values that differ by the way or from pass to pass, those that arrive first.
     pub first: BTreeMap<Name, Origin>,
+    /// Of the values those that some way to the call does not write, and those that only others write.
+    pub sometimes: BTreeSet<Name>,
     /// Parameters whose place gives a value to others too (`REP`), so that it cannot be changed for one of them.
     pub shared: BTreeSet<Name>,
     /// The argument list that was called; none: the bare name, or a block of addresses.

@@ -39,6 +39,13 @@ pub(super) fn moves(program: &Program, site: &CallSite, said: &[Name]) -> Option
     Some(changing(site, name))
 }
 
+/// A value that is written on some ways to the call only: on the others it is what an earlier call left, and in the call
+/// it would always count.
+pub(super) fn skipped(site: &CallSite) -> Option<Diagnostic> {
+    let name = site.sometimes.first()?;
+    Some(own::CONVERT_SKIPPED.finding().text("name", name.as_str()).hint_text("name", name.as_str()))
+}
+
 /// The expression of a value is not worth the same at the call.
 pub(super) fn changing(site: &CallSite, name: Name) -> Diagnostic {
     let value = site.expression(name.as_str()).unwrap_or_default();

@@ -7,13 +7,14 @@ use super::own_words::{Lines, emptied, mark_before, own_words, without_comment};
 use super::write::{Values, Written, snippet_of};
 use super::{arguments, carried};
 use crate::check::{Parsed, newer, parse};
-use crate::control::Control;
-use crate::diagnostic::Diagnostic;
+use crate::control::{Control, gud};
+use crate::diagnostic::{Diagnostic, Span};
 use crate::entry::{AUXILIARY_ARGS, ArgumentList, Cycle, Param, Style, Typed};
 use crate::name::Name;
 use crate::support::Mark;
-use crate::syntax::Program;
+use crate::syntax::{Program, WordKind};
 use crate::{check, own};
+use std::collections::BTreeSet;
 
 /// Edits that turn calls into another style, and what has to be said about it.
 #[derive(Default)]
@@ -43,7 +44,7 @@ pub fn convert(program: &Program, index: usize, style: Style, control: &Control)
         return refused(vec![own::CONVERT_SAME.finding()]);
     }
     match planned(program, &sites, index, style, control) {
-        Ok(plan) => together(program, &sites, vec![plan], control),
+        Ok(plan) => with_stays(program, &sites, style, together(program, &sites, vec![plan], control)),
         Err(findings) => refused(findings),
     }
 }
@@ -66,9 +67,41 @@ pub fn convert_all(program: &Program, style: Style, control: &Control) -> Conver
     if plans.is_empty() && stay.is_empty() {
         return refused(vec![own::CONVERT_SAME.finding()]);
     }
-    let mut done = together(program, &sites, plans, control);
+    let mut done = with_stays(program, &sites, style, together(program, &sites, plans, control));
     done.findings.splice(0..0, stay);
     done
+}
+
+/// With what is told of user data that stay: the lists of newer controls do not read them.
+fn with_stays(program: &Program, sites: &[CallSite], style: Style, mut done: Converted) -> Converted {
+    if style == Style::Operate && done.calls > 0 {
+        done.findings.extend(staying(program, sites, &done.edits));
+    }
+    done
+}
+
+/// User data of the control that the program still writes before its last call, by their names.
+fn staying(program: &Program, sites: &[CallSite], edits: &[Edit]) -> Option<Diagnostic> {
+    let last = sites.last()?.span.start;
+    let gone = |place: Span| edits.iter().any(|edit| edit.span.start <= place.start && place.end <= edit.span.end);
+    let of_calls: BTreeSet<u32> = sites.iter().flat_map(places).map(|place| place.start).collect();
+    let of_call = |word: Span| of_calls.range(word.start..word.end).next().is_some();
+    let declared: Vec<String> = program.words.iter().filter_map(|word| Some(program.name(word.declared()?))).collect();
+    let mut names: Vec<String> = Vec::new();
+    for word in program.words.iter().take_while(|word| word.span.start < last).filter(|word| !gone(word.span)) {
+        let WordKind::Assign { name, .. } = &word.kind else { continue };
+        let name = program.name(*name);
+        if gud::find(&name).is_some() && !of_call(word.span) && !declared.contains(&name) && !names.contains(&name) {
+            names.push(name);
+        }
+    }
+    (!names.is_empty()).then_some(own::CONVERT_STAYS.finding().text("names", names.join(", ")))
+}
+
+/// Where the values of a call are written.
+fn places(site: &CallSite) -> impl Iterator<Item = Span> {
+    let alone = site.places.values().copied();
+    alone.chain(site.origins.values().flatten().map(|one| one.place))
 }
 
 fn style_of(site: &CallSite) -> Style {
@@ -96,7 +129,8 @@ fn planned(
     if written.text.is_empty() {
         return Err(written.findings);
     }
-    match carried::stuck(program, site).or_else(|| carried::moves(program, site, &written.said)) {
+    let lost = carried::stuck(program, site).or_else(|| carried::moves(program, site, &written.said));
+    match lost.or_else(|| carried::skipped(site)) {
         Some(finding) => Err(vec![finding]),
         None => Ok(Plan { index, edits: rewritten(program, site, &written), written }),
     }

@@ -71,26 +71,57 @@ impl Names {
 
 /// What one variable may hold.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Held {
+pub(super) struct Held {
+    of: Of,
+    /// No way leaves what was there before the program.
+    always: bool,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+enum Of {
     One(Rc<Value>),
     /// One of these: the way through the program decides.
     Several(Rc<[Rc<Value>]>),
 }
 
 impl Held {
-    /// One of these.
-    pub fn of(mut values: Vec<Rc<Value>>) -> Held {
-        match (values.len(), values.pop()) {
-            (1, Some(value)) => Held::One(value),
-            (_, last) => Held::Several(values.into_iter().chain(last).collect()),
+    /// What one assignment writes.
+    pub fn one(value: Rc<Value>) -> Held {
+        Held { of: Of::One(value), always: true }
+    }
+
+    /// These in place of the ones that it has.
+    pub fn with(&self, mut values: Vec<Rc<Value>>) -> Held {
+        let of = match (values.len(), values.pop()) {
+            (1, Some(value)) => Of::One(value),
+            (_, last) => Of::Several(values.into_iter().chain(last).collect()),
+        };
+        Held { of, ..*self }
+    }
+
+    /// The same, where some way writes nothing.
+    pub fn sometimes(&self) -> Held {
+        Held { always: false, ..self.clone() }
+    }
+
+    /// Whether every way writes it.
+    pub fn always(&self) -> bool {
+        self.always
+    }
+
+    /// All that it may be, as far as the program writes it.
+    pub fn all(&self) -> &[Rc<Value>] {
+        match &self.of {
+            Of::One(value) => std::slice::from_ref(value),
+            Of::Several(values) => values,
         }
     }
 
-    /// All that it may be.
-    pub fn all(&self) -> &[Rc<Value>] {
-        match self {
-            Held::One(value) => std::slice::from_ref(value),
-            Held::Several(values) => values,
+    /// The only one.
+    pub fn only(&self) -> Option<&Value> {
+        match &self.of {
+            Of::One(value) => Some(value),
+            Of::Several(_) => None,
         }
     }
 
@@ -117,7 +148,8 @@ impl Held {
                 replace_double(&mut all, value);
             }
         }
-        Held::of(all)
+        let met = self.with(all);
+        if other.always { met } else { met.sometimes() }
     }
 }
 
@@ -240,7 +272,7 @@ impl Values {
         found
     }
 
-    /// What holds where two ways meet. What one of them does not write is what the other left.
+    /// What holds where two ways meet. What one of them does not write is what the other left, if it comes there.
     pub fn meet(&self, other: &Values) -> Values {
         let (one, two) = self.level(other);
         Values { top: meet(&one.top, &two.top), height: one.height }
@@ -301,17 +333,34 @@ fn held(part: &Part, at: usize) -> Option<&Held> {
     }
 }
 
+/// What a part holds that the other way does not have; the part itself where no variable of it was always written.
+fn sometimes(node: &Rc<Node>) -> Rc<Node> {
+    match &**node {
+        Node::Held(all) if all.iter().flatten().any(Held::always) => {
+            Rc::new(Node::Held(std::array::from_fn(|at| all[at].as_ref().map(Held::sometimes))))
+        }
+        Node::Held(_) => Rc::clone(node),
+        Node::Parts(parts) => {
+            let others: [Part; WIDTH] = std::array::from_fn(|at| parts[at].as_ref().map(sometimes));
+            let same = others.iter().zip(parts).all(|(other, part)| shared(other, part));
+            if same { Rc::clone(node) } else { Rc::new(Node::Parts(others)) }
+        }
+    }
+}
+
 /// What both hold; one of the two where that is all of it, so that it stays shared.
 fn meet(one: &Part, two: &Part) -> Part {
-    let (Some(first), Some(second)) = (one, two) else { return one.as_ref().or(two.as_ref()).cloned() };
-    if Rc::ptr_eq(first, second) {
-        return one.clone();
-    }
+    let (first, second) = match (one, two) {
+        (Some(first), Some(second)) if Rc::ptr_eq(first, second) => return one.clone(),
+        (Some(first), Some(second)) => (first, second),
+        (Some(alone), None) | (None, Some(alone)) => return Some(sometimes(alone)),
+        (None, None) => return None,
+    };
     let (met, as_first, as_second) = match (&**first, &**second) {
         (Node::Held(first), Node::Held(second)) => {
             let met: [Option<Held>; WIDTH] = std::array::from_fn(|at| match (&first[at], &second[at]) {
                 (Some(one), Some(two)) => Some(one.meet(two)),
-                (one, two) => one.as_ref().or(two.as_ref()).cloned(),
+                (one, two) => one.as_ref().or(two.as_ref()).map(Held::sometimes),
             });
             let (as_first, as_second) = (met == *first, met == *second);
             (Node::Held(met), as_first, as_second)
@@ -348,18 +397,19 @@ mod tests {
     fn a_copy_goes_its_own_way_and_meets_again() {
         let mut one = Values::default();
         for id in 0..50 {
-            one.set(id, Some(Held::One(value(id as f64))));
+            one.set(id, Some(Held::one(value(id as f64))));
         }
         let mut other = one.clone();
         assert!(one == other);
-        other.set(3, Some(Held::One(value(77.0))));
-        other.set(60, Some(Held::One(value(60.0))));
+        other.set(3, Some(Held::one(value(77.0))));
+        other.set(60, Some(Held::one(value(60.0))));
         assert_eq!(one.changed(&other), [3, 60]);
         assert_eq!(one.get(3).unwrap().number(), Some(3.0));
         let met = one.meet(&other);
         assert_eq!(met.get(3).unwrap().all().len(), 2);
         assert_eq!(met.get(3).unwrap().number(), None);
         assert_eq!(met.get(60).unwrap().number(), Some(60.0));
+        assert!(met.get(3).unwrap().always() && !met.get(60).unwrap().always(), "one way writes the last");
         assert!(met.meet(&other) == met, "nothing new");
         assert!(shared(&met.meet(&other).top, &met.top), "nor copied");
     }
@@ -376,15 +426,21 @@ mod tests {
             for (to, from, id, number) in steps {
                 if number == 0 {
                     trees[to] = trees[to].meet(&trees[from]);
-                    for (id, held) in maps[from].clone() {
-                        let met = maps[to].get(&id).map_or_else(|| held.clone(), |one| one.meet(&held));
+                    let others = maps[from].clone();
+                    for (id, held) in others.clone() {
+                        let met = maps[to].get(&id).map_or_else(|| held.sometimes(), |one| one.meet(&held));
                         maps[to].insert(id, met);
+                    }
+                    for (id, held) in &mut maps[to] {
+                        if !others.contains_key(id) {
+                            *held = held.sometimes();
+                        }
                     }
                 } else if id % 7 == 0 {
                     trees[to] = trees[from].clone();
                     maps[to] = maps[from].clone();
                 } else {
-                    let held = (number == 1).then(|| Held::One(value(id as f64)));
+                    let held = (number == 1).then(|| Held::one(value(id as f64)));
                     trees[to].set(id, held.clone());
                     maps[to].remove(&id);
                     maps[to].extend(held.map(|held| (id, held)));
@@ -406,20 +462,20 @@ mod tests {
     // oracle: hand (what is told apart has an end, so that loops come to one)
     #[test]
     fn alternatives_have_an_end() {
-        let mut all = Held::One(value(0.0));
+        let mut all = Held::one(value(0.0));
         for number in 1..30 {
-            all = all.meet(&Held::One(value(f64::from(number))));
+            all = all.meet(&Held::one(value(f64::from(number))));
         }
         assert_eq!(all.all().len(), ALTERNATIVES);
-        assert_eq!(all.meet(&Held::One(value(99.0))), all);
+        assert_eq!(all.meet(&Held::one(value(99.0))), all);
         // The same number from many places leaves room for another one.
-        let mut same = Held::One(value(1.0));
+        let mut same = Held::one(value(1.0));
         for start in 1..30 {
             let place = Span { start, end: start };
-            same = same.meet(&Held::One(Rc::new(Value::at("1".to_owned(), Some(1.0), place))));
+            same = same.meet(&Held::one(Rc::new(Value::at("1".to_owned(), Some(1.0), place))));
         }
         assert_eq!(same.number(), Some(1.0));
-        let other = same.meet(&Held::One(value(2.0)));
+        let other = same.meet(&Held::one(value(2.0)));
         assert_eq!((other.all().len(), other.number()), (ALTERNATIVES, None));
     }
 }

@@ -135,3 +135,28 @@ fn values_that_count_for_nothing_do_not_go_in_silence() {
         assert_eq!(why.contains(&"convert-unused".to_owned()), told, "{more}: {why:?}");
     }
 }
+
+// oracle: hand (on the way past the assignment the datum holds what the call before left)
+#[test]
+fn a_value_of_some_ways_only_is_not_written_into_the_call() {
+    let text = |way: &str| {
+        format!("_MVAR=1 _KNUM=0 _PRNUM=1 _FA=2 _TSA=5 _VMS=0 _NMSP=1\n{way}_SETVAL=30\nA: CYCLE977\nM30\n")
+    };
+    for style in [Style::Indirect, Style::Operate] {
+        let (same, why) = converted(&text("IF R1==1 GOTOF A\n"), 0, style);
+        assert_eq!((same, why), (text("IF R1==1 GOTOF A\n"), vec!["convert-skipped".to_owned()]));
+        let (other, why) = converted(&text(""), 0, style);
+        assert!(other != text("") && !why.contains(&"convert-skipped".to_owned()), "{other}: {why:?}");
+    }
+}
+
+// oracle: hand (lists of newer controls have no argument for it, and read no user data)
+#[test]
+fn user_data_that_stay_are_told() {
+    let values = "_MVAR=101 _KNUM=1 _SETVAL=50 _PRNUM=1 _FA=2 _TSA=5 _VMS=0 _NMSP=1";
+    for (before, told) in [("", false), ("_CHBIT[14]=0\n", true), ("_RF=500\n", true), ("DEF REAL _RF\n_RF=5\n", false)] {
+        let (list, why) = converted(&format!("{before}{values}\nCYCLE977\nM30\n"), 0, Style::Operate);
+        assert!(list.starts_with(before) && list.contains("CYCLE977(101,1,"), "{list}");
+        assert_eq!(why.contains(&"convert-stays".to_owned()), told, "{before}: {why:?}");
+    }
+}

@@ -75,10 +75,7 @@ impl Walk<'_> {
     /// What the variable holds that an expression is.
     fn held<'a>(&self, place: &'a Place, id: ExprId) -> Option<&'a Value> {
         let id = self.variable(place, id).filter(|_| self.around.several())?;
-        match place.values.get(id)? {
-            Held::One(value) => Some(value),
-            Held::Several(_) => None,
-        }
+        place.values.get(id)?.only()
     }
 
     /// Remembers what a right side is worth on its first pass that is not always worth the same.
@@ -100,7 +97,7 @@ impl Walk<'_> {
 
     pub(super) fn assign(&mut self, place: &mut Place, name: &str, value: Value) {
         self.learn(name, value.number);
-        place.values.set(self.names.number(name), Some(Held::One(Rc::new(value))));
+        place.values.set(self.names.number(name), Some(Held::one(Rc::new(value))));
     }
 
     /// One value, or those of `SET(…)` or `REP(…)` spread over an array.

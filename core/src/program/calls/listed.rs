@@ -72,7 +72,7 @@ impl Walk<'_> {
             return self.assigned(place, cycle);
         }
         let values = values.into_iter().filter(|(_, value)| !value.text.is_empty());
-        let mut given: Given = values.map(|(name, value)| (name, Held::One(Rc::new(value)))).collect();
+        let mut given: Given = values.map(|(name, value)| (name, Held::one(Rc::new(value)))).collect();
         for (arg, value) in list.args.iter().zip(arguments) {
             if let (Arg::Variable(array), Some(value)) = (arg, value) {
                 self.elements_of(place, cycle, array, &value.text.to_ascii_uppercase(), &mut given);

@@ -51,7 +51,7 @@ impl Walk<'_> {
             let WordKind::Address { name, value, .. } = &word.kind else { continue };
             if let Some(param) = cycle.params.iter().find(|param| self.program.is(*name, param.name.as_str())) {
                 let value = self.right_side(place, *value);
-                given.push((param.name, Held::One(Rc::new(value))));
+                given.push((param.name, Held::one(Rc::new(value))));
             }
         }
         self.meet_call(place, &Called { cycle, span, list: None, refused: None }, given);

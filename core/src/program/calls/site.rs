@@ -64,7 +64,7 @@ impl Walk<'_> {
         if let Some(Met { site, given: known }) = found.met.get_mut(index) {
             self.way(site, &mut found.ways, place, values, &given, called.refused.as_ref());
             overwritten(site, &given, self.around.unit(span));
-            also(known, &given);
+            also(site, known, &given);
         }
         self.found = found;
     }
@@ -84,6 +84,7 @@ impl Walk<'_> {
             places: BTreeMap::new(),
             origins: BTreeMap::new(),
             first: BTreeMap::new(),
+            sometimes: BTreeSet::new(),
             shared: BTreeSet::new(),
             list,
             own_from: self.own_from(span, line),
@@ -189,6 +190,7 @@ impl Walk<'_> {
             let unit = self.around.unit(site.span);
             for (name, held) in &given {
                 let all = held.all();
+                site.sometimes.extend((!held.always()).then_some(*name));
                 let own = |source: u32| {
                     let taker = takers.get(&source) == Some(&site.span.start);
                     taker || !self.around.several() && source >= site.own_from
@@ -242,10 +244,13 @@ fn arrives_first(
 }
 
 /// Another way to a call: what the first one does not give, no form shows.
-fn also(known: &mut Given, given: &Given) {
+fn also(site: &mut CallSite, known: &mut Given, given: &Given) {
+    let new = given.iter().filter(|(name, _)| known.iter().all(|(other, _)| other != name));
+    site.sometimes.extend(new.map(|(name, _)| *name));
     for (name, held) in known {
-        if let Some((_, other)) = given.iter().find(|(other, _)| other == name) {
-            *held = held.meet(other);
+        match given.iter().find(|(other, _)| other == name) {
+            Some((_, other)) => *held = held.meet(other),
+            None => *held = held.sometimes(),
         }
     }
 }

@@ -165,7 +165,7 @@ impl Follow for Walk<'_> {
                 (None, Some(id)) => self.value(caller, id),
                 (None, None) => Value { argument: true, ..Value::at("0".to_owned(), Some(0.0), entry.place()) },
             };
-            values.set(self.names.number(&formal.name), Some(Held::One(Rc::new(held))));
+            values.set(self.names.number(&formal.name), Some(Held::one(Rc::new(held))));
         }
         Place { force: caller.force.clone(), values }
     }
@@ -212,14 +212,14 @@ impl Meet for Place {
 impl Walk<'_> {
     /// A value that a called program wrote, with the assignment of the caller whose place it took.
     fn written(&self, caller: &Place, id: usize, held: &Held, call: Span) -> Held {
-        let Some(Held::One(before)) = caller.values.get(id) else { return held.clone() };
+        let Some(before) = caller.values.get(id).and_then(Held::only) else { return held.clone() };
         let after = held.all().iter().map(|value| {
-            if value.number.is_some() && value.number == before.number || value == before {
+            if value.number.is_some() && value.number == before.number || **value == *before {
                 return Rc::clone(value);
             }
             Rc::new(Value { instead: Some((before.place, call)), ..Value::clone(value) })
         });
-        Held::of(after.collect())
+        held.with(after.collect())
     }
 
     /// The variable that an expression is.
