@@ -154,7 +154,8 @@ fn a_value_of_some_ways_only_is_not_written_into_the_call() {
 #[test]
 fn user_data_that_stay_are_told() {
     let values = "_MVAR=101 _KNUM=1 _SETVAL=50 _PRNUM=1 _FA=2 _TSA=5 _VMS=0 _NMSP=1";
-    for (before, told) in [("", false), ("_CHBIT[14]=0\n", true), ("_RF=500\n", true), ("DEF REAL _RF\n_RF=5\n", false)] {
+    for (before, told) in [("", false), ("_CHBIT[14]=0\n", true), ("_RF=500\n", true), ("DEF REAL _RF\n_RF=5\n", false)]
+    {
         let (list, why) = converted(&format!("{before}{values}\nCYCLE977\nM30\n"), 0, Style::Operate);
         assert!(list.starts_with(before) && list.contains("CYCLE977(101,1,"), "{list}");
         assert_eq!(why.contains(&"convert-stays".to_owned()), told, "{before}: {why:?}");
