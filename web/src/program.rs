@@ -443,6 +443,15 @@ pub fn practice_record(request: &str, script: &str) -> Result<String, JsError> {
     Ok(json::answer(request, |asked| app::practice_record(asked, script))?)
 }
 
+/// `PracticeRequest` → the setup file of the machine on which is practised, with the part as it lies.
+///
+/// # Errors
+/// As of a session.
+#[wasm_bindgen]
+pub fn practice_setup(request: &str) -> Result<String, JsError> {
+    Ok(json::answer(request, app::practice_setup)?)
+}
+
 /// Carries out a scenario file, with the files that it names (`Beside[]`) → `ScenarioView`.
 ///
 /// # Errors

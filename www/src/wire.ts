@@ -2425,8 +2425,6 @@ export type PracticeView = {
   deviation?: PracticeDeviation,
   /** What the mask wrote last. */
   changes: Array<Change>,
-  /** The machine as it was before all that, its part where it really lies. */
-  setup: Setup,
   /** The first entry of the trace that belongs to the last line. */
   from: number,
 };

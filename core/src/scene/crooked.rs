@@ -15,7 +15,7 @@ impl Scene {
     /// draw a part, which `View::exaggerated` says. Touches lie on the drawn surface, and measuring motions end there;
     /// labels tell the true values, all other motions are true. The part without errors is drawn in dashes.
     pub fn exaggerated(source: &Source, times: f64) -> Scene {
-        let times = possible(&source.setup.workpiece.solids, times);
+        let times = if times > 1.0 { possible(&source.setup.workpiece.solids, times) } else { 1.0 };
         if times <= 1.0 {
             return Scene::of(source);
         }

@@ -157,6 +157,7 @@ export interface ProgramCore extends FormCore {
   practise(request: PracticeRequest): Practised;
   /** What the session of a script in the file of this name has measured. */
   practiceRecord(request: PracticeRequest, script: string): RunRecord;
+  practiceSetup(request: PracticeRequest): Setup;
   /** How the probe gets in front of a face. */
   approach(request: PracticeFace): PracticeApproach;
   /** What the mask that is open means as a program. */
@@ -331,6 +332,7 @@ export async function loadProgramCore(): Promise<ProgramCore> {
     practise: practised,
     practiceRecord: (request, script) =>
       JSON.parse(call("practice_record", () => wasm.practice_record(JSON.stringify(request), script))) as RunRecord,
+    practiceSetup: request => JSON.parse(call("practice_setup", () => wasm.practice_setup(JSON.stringify(request)))) as Setup,
     approach: request => JSON.parse(call("approach", () => wasm.approach(JSON.stringify(request)))) as PracticeApproach,
     asProgram: request =>
       JSON.parse(call("as_program", () => wasm.as_program(JSON.stringify(request)))) as PracticeProgram,

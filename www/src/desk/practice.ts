@@ -6,7 +6,7 @@ import { parseNumber, plain } from "../numbers";
 import { readText } from "../state/files";
 import { AS_SET_UP, type JogState, profile, type State } from "../state/state";
 import type { Store } from "../state/store";
-import type { PracticeCallRequest, PracticeChoice, PracticeRequest, RunRecord, Vec3 } from "../wire";
+import type { PracticeCallRequest, PracticeChoice, PracticeRequest, RunRecord, Setup, Vec3 } from "../wire";
 
 export interface Practice {
   /** Asks what is on the screen, unless that is known. */
@@ -22,6 +22,8 @@ export interface Practice {
   core(): ProgramCore | null;
   /** All that was measured. */
   record(): RunRecord | null;
+  /** The machine as it was before the first line, its part where it really lies. */
+  setup(): Setup | null;
   undo(): void;
   /** The machine as it was before the first line. */
   restart(): void;
@@ -144,6 +146,7 @@ export function createPractice(store: Store, core: () => ProgramCore | null): Pr
     },
     core,
     record: () => core()?.practiceRecord(requestOf(store.state.jog), FILE) ?? null,
+    setup: () => core()?.practiceSetup(requestOf(store.state.jog)) ?? null,
     undo: () => carryOut({ lines: store.state.jog.lines.slice(0, -1) }),
     restart: () => carryOut({ lines: beginning(store.state.jog), seed: store.state.jog.seed }),
     lay(part) {

@@ -6,7 +6,7 @@ import { el, on } from "../dom";
 import { iconPart } from "../icons";
 import { ariaKey, meantBy } from "../keys";
 import { saveFile } from "../state/files";
-import type { State } from "../state/state";
+import type { JogState, State } from "../state/state";
 import { t } from "../texts";
 import type { Stage } from "../views/stage";
 import { axisOf, createHand, wayOf } from "./hand";
@@ -98,7 +98,7 @@ export function createPlace(
           ${
             jog.seen
               ? action("practice-save-machine", "download", () =>
-                  saveFile(JSON.stringify(jog.seen?.setup, null, 2), "practice.json", "application/json"),
+                  saveFile(JSON.stringify(practice.setup(), null, 2), "practice.json", "application/json"),
                 )
               : nothing
           }
@@ -107,17 +107,29 @@ export function createPlace(
       `,
       head,
     );
+  let pictured: JogState["seen"] = null;
+  let coming = false; // the words of what is pictured
+  /** What stands beside the picture. Within a mask the picture comes first, the words once it is on the screen. */
+  const drawWords = (): void => {
+    coming = false;
+    if (now?.page.place !== "jog") return;
+    drawHead(now);
+    if (!now.jog.seen) return;
+    drawMask(now);
+    drawHand(now);
+    drawPart(now);
+  };
   root.setAttribute("aria-keyshortcuts", ariaKey("jog", "start"));
   return state => {
     if (state.page.place !== "jog") return drawStage(state);
     now = state;
     practice.begin();
-    drawHead(state);
-    if (state.jog.seen) {
-      drawMask(state);
-      drawHand(state);
-      drawPart(state);
-    }
+    const { seen } = state.jog;
+    const goesOn = !!seen?.mask && seen !== pictured && seen.mask.name === pictured?.mask?.name;
+    pictured = seen;
     drawStage(state);
+    if (!goesOn) return drawWords();
+    if (!coming) setTimeout(drawWords); // behind the paint of this frame
+    coming = true;
   };
 }

@@ -68,6 +68,16 @@ pub fn practice_record(asked: PracticeRequest, script: &str) -> Result<Record, E
     Ok(Record::of_jog(script.to_owned(), &setup, all(&lines, &setup)))
 }
 
+/// The machine of a session as it was before the first line, with the part as it lies.
+///
+/// # Errors
+/// As of a session.
+pub fn practice_setup(asked: PracticeRequest) -> Result<Setup, Error> {
+    let (Stands { mut setup, .. }, truth) = begun(asked)?;
+    truth.put(&mut setup);
+    Ok(setup)
+}
+
 /// The machine of a session, and how its part lies.
 fn begun(asked: PracticeRequest) -> Result<(Stands, Truth), Error> {
     if !measures(asked.control) {
@@ -227,7 +237,6 @@ impl Course {
             truth: self.truth,
             deviation: self.deviation.map(|(store, deviation)| screen::told(&session.sim.control, store, deviation)),
             changes: self.changes,
-            setup: stands.setup,
             from: self.last.saturating_sub(first),
         };
         let mut outcome = Outcome::left_by(self.session.sim, &setup, None);

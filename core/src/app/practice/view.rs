@@ -12,7 +12,6 @@ use crate::jog::State;
 use crate::jog::chance::Truth;
 use crate::jog::practice::Piece;
 use crate::jog::values::Value;
-use crate::machine::Setup;
 use crate::message::Message;
 use serde::{Deserialize, Serialize};
 
@@ -104,8 +103,6 @@ pub struct PracticeView {
     pub deviation: Option<PracticeDeviation>,
     /// What the mask wrote last.
     pub changes: Vec<Change>,
-    /// The machine as it was before all that, its part where it really lies.
-    pub setup: Setup,
     /// The first entry of the trace that belongs to the last line.
     pub from: usize,
 }
