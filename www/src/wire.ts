@@ -2854,7 +2854,7 @@ export type ResultScreen = {
   rows: Array<ScreenRow>,
   /** Single values below, in the order of the manual's list. */
   values: Array<ScreenValue>,
-  /** Decimals of its values: `_DIGIT`, the display precision. */
+  /** Decimals of its values. */
   digits: number,
   /** How long it is shown. */
   until: ScreenUntil,

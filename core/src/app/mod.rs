@@ -104,7 +104,8 @@ pub use practice::{
     PracticeActivation, PracticeApproach, PracticeArea, PracticeCall, PracticeCallRequest, PracticeChoice,
     PracticeDeviation, PracticeFace, PracticeField, PracticeFigure, PracticeFunction, PracticeKeys, PracticeMachine,
     PracticeMask, PracticePoint, PracticeProgram, PracticeRefusal, PracticeRequest, PracticeShow, PracticeUse,
-    PracticeView, PracticeWord, approach, as_mask, as_program, call_text, jog_program, practice_record, practice_setup, practise,
+    PracticeView, PracticeWord, approach, as_mask, as_program, call_text, jog_program, practice_record, practice_setup,
+    practise,
 };
 pub use predict::{ErrorLimit, ErrorSliders, PartSliders, ProbeSliders};
 pub use program::{

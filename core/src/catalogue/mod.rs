@@ -73,7 +73,7 @@ pub mod twin_place;
 
 /// What a run has to know of the log: every measuring cycle writes into it at its end, while it is on.
 pub(crate) mod log {
-    pub use super::logging::names::{DIGITS, FILE};
+    pub use super::logging::names::FILE;
     pub use super::logging::simulate::measured;
     pub use super::logging::{LOG_DELETED, LOG_FULL, ON, is_log};
 }

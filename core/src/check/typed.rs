@@ -96,7 +96,10 @@ pub fn read(cycle: &'static Cycle, typed: &Typed, control: &Control, diagnostics
                     inputs.texts.insert(param.name, control.text(param.name.as_str()).into());
                 }
                 Ok("") => {}
-                Ok(text) => drop(inputs.texts.insert(param.name, text.into())),
+                Ok(text) => {
+                    inputs.written.insert(param.name);
+                    inputs.texts.insert(param.name, text.into());
+                }
                 Err(finding) => diagnostics.push((*finding).at(param.name)),
             }
             continue;

@@ -193,9 +193,10 @@ fn add(setup: &mut Setup, what: &str, by: f64) -> bool {
     member(setup, what).map(|member| *member += by).is_some()
 }
 
-/// A tool or frame variable or a datum, as a number.
+/// A tool or frame variable or a datum, as a number. Values that only the machine has (`$…`) are not corrected.
 fn value(control: &Control, name: &str) -> Option<f64> {
-    let datum = || control.knows(name, &Value::Number(0.0)).then(|| control.number(name));
+    let datum = || !name.starts_with('$') && control.knows(name, &Value::Number(0.0));
+    let datum = || datum().then(|| control.number(name));
     control.variable(name).or_else(datum)
 }
 

@@ -82,3 +82,28 @@ fn what_is_no_scenario_is_told_with_its_place() {
     assert_eq!(output.status.code(), Some(2));
     assert!(err(&output).contains("no scenario.json"), "{}", err(&output));
 }
+
+// oracle: hand (a scenario that cannot fail proves nothing)
+#[test]
+fn a_scenario_that_proves_nothing_fails() {
+    let with = |program: &str, expect: &str| {
+        let setup = r#"{"control":"sinumerik","probe":{"radius":3,"length":50}}"#;
+        format!(
+            r#"{{"program":{{"name":"a.mpf","text":"{program}"}},"setup":{setup},"cases":[{{"id":"a","expect":{expect}}}]}}"#
+        )
+    };
+    for (program, expect, told) in [
+        ("R1=1\\nM30", r#"{"data":{"R1":1}}"#, None),
+        ("M30", r#"{"data":{"_FOO[1]":0}}"#, Some("_FOO[1]")),
+        ("M30", r#"{"data":{"_WP[999,77]":0}}"#, Some("_WP[999,77]")),
+        ("M30", r#"{"data":{"$TC_FOO":0}}"#, Some("$TC_FOO")),
+        ("M30", r#"{"tolerance":-1}"#, Some("cases[0].expect.tolerance")),
+        ("G0 X[\\nM30", r#"{"alarms":[]}"#, Some("FAILED")),
+    ] {
+        let path = file("proves.scenario.json", with(program, expect).as_bytes());
+        let output = probewright(&["test", &path]);
+        let line = out(&output);
+        assert_eq!(output.status.success(), told.is_none(), "{program} {expect}: {line}");
+        assert!(told.is_none_or(|told| line.contains(told)), "{program} {expect}: {line}");
+    }
+}

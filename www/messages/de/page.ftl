@@ -751,6 +751,7 @@ whole-counts = { $all ->
 whole-count-within = { $count } innerhalb
 whole-count-beyond = { $count } außerhalb
 whole-count-measured = { $count } gemessen
+whole-count-missing = { $count } ohne Wert
 whole-count-alarm = { $count } mit Alarm
 whole-count-stopped = { $count } nicht simuliert
 whole-certain = Sicherheit

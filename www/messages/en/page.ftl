@@ -739,6 +739,7 @@ whole-counts = { $all ->
 whole-count-within = { $count } within
 whole-count-beyond = { $count } out
 whole-count-measured = { $count } measured
+whole-count-missing = { $count } without a value
 whole-count-alarm = { $count } with alarm
 whole-count-stopped = { $count } not simulated
 whole-certain = Certainty

@@ -723,6 +723,7 @@ whole-counts = { $all } 个调用：{ $parts }
 whole-count-within = { $count } 个在限值内
 whole-count-beyond = { $count } 个超出限值
 whole-count-measured = { $count } 个已测量
+whole-count-missing = { $count } 个没有值
 whole-count-alarm = { $count } 个有报警
 whole-count-stopped = { $count } 个未模拟
 whole-certain = 可靠性

@@ -27,10 +27,11 @@ type Row = RunView["answers"][number];
 const BEYOND = 6; // rows drawn above and below what is in sight
 const WORST: Row["verdict"][] = ["alarm", "stopped", "scrap", "rework", "beyond", "measured", "within"];
 /** What is counted under the title; `always`: also where there is none. */
-const COUNTED: { key: string; verdicts: Row["verdict"][]; always: boolean }[] = [
+const COUNTED: { key: string; verdicts: (Row["verdict"] | "missing")[]; always: boolean }[] = [
   { key: "whole-count-within", verdicts: ["within"], always: true },
   { key: "whole-count-beyond", verdicts: ["beyond", "rework", "scrap"], always: true },
   { key: "whole-count-measured", verdicts: ["measured"], always: false },
+  { key: "whole-count-missing", verdicts: ["missing"], always: false },
   { key: "whole-count-stopped", verdicts: ["stopped"], always: false },
   { key: "whole-count-alarm", verdicts: ["alarm"], always: true },
 ];
@@ -47,6 +48,10 @@ const COLUMNS = [
   "probe",
 ] as const;
 type Column = (typeof COLUMNS)[number];
+
+/** As what a row counts: a call of which a protocol says nothing was not measured. */
+const counts = ({ verdict, figures }: Row): Row["verdict"] | "missing" =>
+  verdict === "measured" && figures.length === 0 ? "missing" : verdict;
 
 /** The share of its limit that the deviation takes which decides; null: nothing limits it. */
 function used({ figures }: Row): number | null {
@@ -379,7 +384,7 @@ export function createWhole(
 
   const count = (): string => {
     const parts = COUNTED.flatMap(({ key, verdicts, always }) => {
-      const count = rows().filter(one => verdicts.includes(one.verdict)).length;
+      const count = rows().filter(one => verdicts.includes(counts(one))).length;
       return count > 0 || always ? [t(key, { count })] : [];
     });
     return t("whole-counts", { all: rows().length, parts: listed(parts) });

@@ -102,6 +102,13 @@ impl Limited {
     }
 }
 
+impl Limited {
+    /// Whether a deviation is within the tolerance.
+    pub(super) fn holds(&self, value: f64) -> bool {
+        (self.low - RESOLUTION..=self.high + RESOLUTION).contains(&value)
+    }
+}
+
 /// Ends of a scale by the widest limit that is coloured.
 const ENDS: f64 = 1.4;
 

@@ -2,7 +2,7 @@
 
 use super::figures::{Figure, Sort, found, measured as axis};
 use super::gauge::{BandKind, Gauge, Limited, gauge};
-use super::{Answer, Verdict, beyond, feature, inside, within, words};
+use super::{Answer, Verdict, beyond, feature, inside, past, within, words};
 use crate::entry::{Inputs, ProbeUse};
 use crate::geometry::{Dir, Wcs};
 use crate::machine::Entry;
@@ -50,6 +50,7 @@ pub fn measured(called: &Called, outcome: &run::Outcome, values: &Values) -> Ans
         found(called, &entries).into_iter().filter_map(|(_, figure)| Some((figure.name, figure.set?))).collect();
     let told = |figure: &Figure, band: [f64; 2]| told(values.get(figure.name)?, figure, *own.get(figure.name)?, band);
     let gauge = gauge(called, &entries, &outcome.control, &mut sorts, &told);
+    let past = past(gauge.as_ref(), &sorts);
     for (_, figure) in &mut sorts {
         let limits = values.get(figure.name).and_then(|value| value.limits).zip(figure.set);
         let limits = limits.zip(figure.deviation).filter(|_| figure.limits.is_none());
@@ -57,7 +58,7 @@ pub fn measured(called: &Called, outcome: &run::Outcome, values: &Values) -> Ans
             figure.limits.or(limits.map(|(([low, high], set), by)| Limited::new(low - set, high - set, by)));
     }
     let figures: Vec<Figure> = sorts.into_iter().map(|(_, figure)| figure).collect();
-    let verdict = verdict(&called.inputs, gauge.as_ref());
+    let verdict = verdict(&called.inputs, gauge.as_ref(), past);
     let missing = || Message::new("record-missing");
     let verdict_words = if figures.is_empty() { missing() } else { words(verdict, None, gauge.as_ref()) };
     Answer {
@@ -101,13 +102,14 @@ fn real(called: &Called, entries: &[Entry], values: &Values) -> Vec<(Sort, Figur
     with.collect()
 }
 
-fn verdict(inputs: &Inputs, gauge: Option<&Gauge>) -> Verdict {
+/// `past`: whether a deviation is beyond the tolerance; none: the call has no tolerance.
+fn verdict(inputs: &Inputs, gauge: Option<&Gauge>, past: Option<bool>) -> Verdict {
     let Some(gauge) = gauge else { return Verdict::Measured };
-    if gauge.needles.iter().all(|one| one.kind != BandKind::Bad) {
-        return Verdict::Within;
+    match past {
+        Some(true) => beyond(inputs, Some(gauge)),
+        None if gauge.needles.iter().any(|one| one.kind == BandKind::Bad) => Verdict::Beyond,
+        _ => Verdict::Within,
     }
-    let tolerance = gauge.marks.iter().any(|mark| ["_TUL", "H"].contains(&mark.name));
-    beyond(inputs, tolerance, gauge.worst().map(|worst| worst > 0.0))
 }
 
 fn why(verdict: Verdict, gauge: Option<&Gauge>, none: bool) -> Message {

@@ -108,8 +108,7 @@ pub(super) fn answer(called: &Called, outcome: &run::Outcome) -> Answer {
     let mut sorts = figures::found(called, entries);
     let gauge = gauge::gauge(called, entries, &outcome.control, &mut sorts, &|_, _| None);
     let raised = raised(entries);
-    let over = gauge.as_ref().and_then(Gauge::worst).map(|worst| worst > 0.0);
-    let (verdict, alarm) = verdict(inputs, stop, raised, over, gauge.is_some());
+    let (verdict, alarm) = verdict(inputs, stop, raised, gauge.as_ref(), past(gauge.as_ref(), &sorts));
     Answer {
         feature: feature(inputs),
         screen: screen::screen(inputs, entries, (called.at, asked(called, entries.len(), outcome)), &outcome.control),
@@ -173,30 +172,41 @@ fn raised(entries: &[Entry]) -> Option<Code> {
     codes.find(|code| matches!(code, Code::Alarm(62304..=62306)) || [OUT_OF_TOLERANCE, UPPER_TOLERANCE].contains(code))
 }
 
-/// What follows, and the alarm behind it. `over`: whether the deviation that decides is one of a larger size.
+/// Whether a deviation is beyond the tolerance of the part; none: the call has no tolerance.
+fn past(gauge: Option<&Gauge>, sorts: &[(figures::Sort, Figure)]) -> Option<bool> {
+    let limited = sorts.iter().filter_map(|(_, figure)| figure.limits);
+    let needles = gauge.into_iter().flat_map(|gauge| &gauge.needles);
+    limited.zip(needles).map(|(limits, needle)| !limits.holds(needle.value)).reduce(|one, other| one || other)
+}
+
+/// What follows, and the alarm behind it. `past`: see [`past`]. Another limit than the tolerance, such as the dimension
+/// difference, tells nothing about the part.
 fn verdict(
     inputs: &Inputs,
     stop: Option<&Stop>,
     raised: Option<Code>,
-    over: Option<bool>,
-    limited: bool,
+    gauge: Option<&Gauge>,
+    past: Option<bool>,
 ) -> (Verdict, Option<Code>) {
-    match (stop, raised) {
-        (Some(Stop::Alarm(code)), _) => (Verdict::Alarm, Some(*code)),
-        (Some(Stop::Fault(_)), _) => (Verdict::Stopped, None),
-        (None, None) if limited => (Verdict::Within, None),
-        (None, None) => (Verdict::Measured, None),
-        (None, Some(code)) => {
-            let tolerance = matches!(code, Code::Alarm(62304 | 62305)) || code == OUT_OF_TOLERANCE;
-            (beyond(inputs, tolerance, over), Some(code))
-        }
-    }
+    let verdict = match (stop, raised) {
+        (Some(Stop::Alarm(code)), _) => return (Verdict::Alarm, Some(*code)),
+        (Some(Stop::Fault(_)), _) => Verdict::Stopped,
+        (None, None) if gauge.is_some() => Verdict::Within,
+        (None, None) => Verdict::Measured,
+        (None, Some(code)) => match past {
+            _ if matches!(code, Code::Alarm(62304 | 62305)) || code == OUT_OF_TOLERANCE => beyond(inputs, gauge),
+            Some(true) => beyond(inputs, gauge),
+            Some(false) => Verdict::Within,
+            None => Verdict::Beyond,
+        },
+    };
+    (verdict, raised.filter(|_| stop.is_none()))
 }
 
-/// What follows beyond a limit. `tolerance`: whether that is the tolerance of the part; `over`: whether the part is
-/// too large.
-fn beyond(inputs: &Inputs, tolerance: bool, over: Option<bool>) -> Verdict {
-    match (inside(inputs).filter(|_| tolerance), over) {
+/// What follows beyond the tolerance of the part, by the deviation that decides.
+fn beyond(inputs: &Inputs, gauge: Option<&Gauge>) -> Verdict {
+    let over = gauge.and_then(Gauge::worst).map(|worst| worst > 0.0);
+    match (inside(inputs), over) {
         (Some(inside), Some(over)) if inside == over => Verdict::Scrap,
         (Some(_), Some(_)) => Verdict::Rework,
         _ => Verdict::Beyond,

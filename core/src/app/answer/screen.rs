@@ -2,7 +2,6 @@
 //! measurement with `_CHBIT[10]` = 1; with `_CHBIT[11]` it waits for NC start, with `_CHBIT[18]` it stays until the
 //! next measuring cycle.
 
-use crate::catalogue::log;
 use crate::check::upkeep::{SCREEN, SCREEN_HALTS, SCREEN_STAYS};
 use crate::control::Control;
 use crate::entry::{Inputs, ProbeUse, ResultField, unit_name};
@@ -28,8 +27,7 @@ pub struct ResultScreen {
     pub rows: Vec<ScreenRow>,
     /// Single values below, in the order of the manual's list.
     pub values: Vec<ScreenValue>,
-    /// Decimals of its values: `_DIGIT`, the display precision.
-    // B:11443, B:13174
+    /// Decimals of its values.
     pub digits: u32,
     /// How long it is shown.
     pub until: ScreenUntil,
@@ -81,8 +79,8 @@ pub enum ScreenUntil {
     Next,
 }
 
-/// Most decimals that are shown.
-const MOST_DIGITS: f64 = 9.0;
+/// Decimals of the screen that the manual shows, whatever `_DIGIT` is, which is that of logs and texts (B:12627-12644).
+const DIGITS: u32 = 6;
 
 /// A sort of screens: the key of its title, how the names of its rows begin, the names of its single values.
 struct Family {
@@ -153,7 +151,7 @@ pub fn screen(
         measures: Message::new(name(inputs)),
         rows: rows(&fields, family.rows, &value, control),
         values: family.values.iter().flat_map(single).collect(),
-        digits: control.number(log::DIGITS.as_str()).clamp(0.0, MOST_DIGITS) as u32,
+        digits: DIGITS,
         until,
         at,
     })

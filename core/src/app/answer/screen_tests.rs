@@ -67,14 +67,14 @@ fn around(before: &str, behind: &str) -> RunView {
     RunView::new(setup, outcome, text.as_bytes())
 }
 
-// oracle: manual B:2386, B:15278-15279 (CYCLE102 shows the result, CYCLE103 asks for values), B:11443 (decimals)
+// oracle: manual B:2386, B:15278-15279 (CYCLE102 shows the result, CYCLE103 asks for values), B:12627-12644 (decimals)
 #[test]
 fn older_programs_ask_for_the_screen_themselves() {
     let keys = |view: &RunView| view.diagnostics.iter().map(|one| one.message.key.to_string()).collect::<Vec<_>>();
     assert_eq!(around("", "").answers[0].answer.screen, None);
     let view = around("CYCLE103\n_DIGIT=4\n", "G0 Z100\nCYCLE102\n");
     let shown = view.answers[0].answer.screen.as_ref().unwrap();
-    assert_eq!((shown.until, shown.digits), (ScreenUntil::End, 4));
+    assert_eq!((shown.until, shown.digits), (ScreenUntil::End, 6));
     assert!(shown.at > view.answers[0].to, "it is shown where the program asks for it");
     assert!(keys(&view).contains(&"run-dialogue".to_owned()), "{:?}", keys(&view));
     assert!(view.passed_over.is_empty(), "{:?}", view.passed_over);

@@ -41,19 +41,32 @@ pub fn lines(file: usize, text: &str, units: Units) -> Vec<Line> {
     if let Some((_, logs)) = foreign::logs(text) {
         return logs.into_iter().flat_map(|log| of_log(file, log, units)).collect();
     }
-    let all = || text.lines().filter(|line| line.contains(char::is_alphanumeric));
-    let parted = [';', '\t', ','].into_iter().find(|sign| {
-        let (with, count) = all()
-            .take(LOOKED_AT)
-            .fold((0, 0), |(with, count), line| (with + usize::from(line.contains(*sign)), count + 1));
-        2 * with > count || (*sign == ',' && with > 0)
-    });
+    let parted = parted(text);
     let numbered = text.lines().zip(1..).filter(|(line, _)| line.contains(char::is_alphanumeric));
     let read = |(line, number): (&str, u32)| {
         let (text, fields) = (line.to_owned(), fields(line, parted));
         Line { file, number, text, fields, factor: 1.0, limits: None }
     };
     numbered.map(read).collect()
+}
+
+/// What parts the fields, none: blanks. The sign at which most lines have several figures; where no line has, that of
+/// more than half of the lines, a comma of any line.
+fn parted(text: &str) -> Option<char> {
+    let lines = || text.lines().filter(|line| line.contains(char::is_alphanumeric)).take(LOOKED_AT);
+    let several = |sign: Option<char>| {
+        let figures = |line: &&str| fields(line, sign).iter().filter_map(|field| Figure::of(field)).count();
+        lines().filter(|line| figures(line) > 1).count()
+    };
+    let signs = [Some(';'), Some('\t'), Some(','), None].map(|sign| (sign, several(sign)));
+    let most = signs.iter().map(|(_, count)| *count).max().unwrap_or_default();
+    if let Some((sign, _)) = signs.into_iter().find(|(_, count)| most > 0 && *count == most) {
+        return sign;
+    }
+    [';', '\t', ','].into_iter().find(|sign| {
+        let with = lines().filter(|line| line.contains(*sign)).count();
+        2 * with > lines().count() || (*sign == ',' && with > 0)
+    })
 }
 
 /// The quantities of such a log, which says the unit of its lengths.
@@ -131,5 +144,26 @@ impl Figure {
     /// Whether this value, rounded to so many decimals, is the figure.
     pub fn is(self, value: f64) -> bool {
         (self.value - value).abs() <= self.half * 1.02 + 1e-9
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    // oracle: manual B:11437-11441 (a log as delivered: values parted by a semicolon, below titles and a header)
+    #[test]
+    fn the_lines_with_figures_say_what_parts_them() {
+        let header = "Date : 2026/11/30\nProgram : HOLE\nPart number: 12\nSupervisor: A, B\nMeas. , Set , Act. value\n";
+        for (text, sign) in [
+            (format!("{header}132.000 ; 132.130# ; 0.130#\n"), Some(';')),
+            ("call,set,actual\n1,132,132.13\n".to_owned(), Some(',')),
+            ("call;set;actual\n1;132,000;132,130\n".to_owned(), Some(';')),
+            ("132.000 132.130 0.130\n".to_owned(), None),
+            ("a\t132.000\t132.130\n".to_owned(), Some('\t')),
+            ("name;actual\nbore;132.1\n".to_owned(), Some(';')),
+        ] {
+            assert_eq!(parted(&text), sign, "{text}");
+        }
     }
 }

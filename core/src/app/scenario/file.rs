@@ -2,6 +2,7 @@
 //! `docs/scenario.schema.json`.
 
 use crate::control::Value;
+use crate::refused::{Path, Refused};
 use crate::run::mode::Mode;
 use crate::setup_file::{SetupFile, SolidFile, ToolFile};
 use serde::{Deserialize, Serialize};
@@ -151,6 +152,19 @@ pub struct Expected {
     /// By how much a number may differ; absent: 0.000001.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tolerance: Option<f64>,
+}
+
+impl Expected {
+    /// # Errors
+    /// A tolerance that no number can meet.
+    pub(super) fn proves(&self) -> Result<(), Refused> {
+        match self.tolerance {
+            Some(tolerance) if !(tolerance >= 0.0 && tolerance.is_finite()) => {
+                Err(Refused::new("scenario-tolerance", Path::of(&["tolerance"])).number("value", tolerance))
+            }
+            _ => Ok(()),
+        }
+    }
 }
 
 /// What a measuring call leaves.

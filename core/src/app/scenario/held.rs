@@ -2,6 +2,7 @@
 
 use super::file::{Expected, ExpectedCall};
 use crate::control::{AXES, Value};
+use crate::diagnostic::Severity;
 use crate::machine::{MotionKind, Step, Stop};
 use crate::message::Message;
 use crate::run::Outcome;
@@ -14,6 +15,10 @@ const TOLERANCE: f64 = 1e-6;
 pub fn differences(expected: &Expected, outcome: &Outcome) -> Vec<Message> {
     let mut held = Held { tolerance: expected.tolerance.unwrap_or(TOLERANCE), found: Vec::new() };
     held.stop(expected.stop.as_ref(), outcome.stop.as_ref());
+    if expected.stop.is_none() {
+        let errors = outcome.diagnostics.iter().filter(|one| one.severity == Severity::Error);
+        held.found.extend(errors.map(|one| one.message.clone()));
+    }
     if let Some(alarms) = &expected.alarms {
         held.alarms(alarms, outcome);
     }
@@ -70,6 +75,11 @@ impl Held {
     fn data(&mut self, expected: &Expected, outcome: &Outcome) {
         let control = &outcome.control;
         for (name, value) in expected.data.iter().flatten() {
+            let there = !name.starts_with('$') && control.knows(name, &Value::Number(*value));
+            if !there && !control.data.contains_key(name) {
+                self.found.push(Message::new("scenario-datum").text("name", name));
+                continue;
+            }
             self.value(name, *value, Some(control.number(name)));
         }
         let written = outcome.written();

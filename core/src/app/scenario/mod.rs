@@ -75,6 +75,7 @@ pub fn scenario(asked: ScenarioRequest) -> Result<ScenarioView, Error> {
     let cases = scenario.cases.iter().enumerate().map(|(index, case)| {
         let within = |refused: Error| refused.within(Step::Element(index)).within(member("cases"));
         let setup = scenario.machine(case).map_err(within)?;
+        case.expect.proves().map_err(|refused| within(refused.within(member("expect"))))?;
         let differences = match replaced(&program, case) {
             Ok(text) => differences(&case.expect, &carried_out(&scenario, &setup, text.into(), with.clone())),
             Err(message) => vec![message],

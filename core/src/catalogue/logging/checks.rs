@@ -9,7 +9,7 @@ use crate::check::announced;
 use crate::machine::files::{self, Fault};
 
 /// All of them.
-pub fn checks(inputs: &Inputs, _: &Control, found: &mut Vec<Diagnostic>) {
+pub fn checks(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
     if inputs.uses(FILE) {
         file(inputs, found);
     }
@@ -17,7 +17,7 @@ pub fn checks(inputs: &Inputs, _: &Control, found: &mut Vec<Diagnostic>) {
         let finding = announced(62310, "check-log-line", LINE).number("most", LONGEST_LINE);
         found.push(finding.hint_number("most", LONGEST_LINE));
     }
-    empty(inputs, found);
+    empty(inputs, control, found);
     let columns = columns(inputs, found);
     for name in VALUES.into_iter().filter(|name| inputs.uses(*name)) {
         values(inputs, name, &columns, found);
@@ -41,10 +41,10 @@ fn open(name: Name, found: &[Diagnostic]) -> bool {
     found.iter().any(|finding| finding.param == Some(name))
 }
 
-/// Nothing is to be printed (A:15914).
-fn empty(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
-    let mut all = TITLES.iter().chain(&VALUES);
-    let given = all.any(|name| !inputs.text(*name).is_empty() || open(*name, found));
+/// Nothing is to be printed (A:15914). Also what this call does not print counts.
+fn empty(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnostic>) {
+    let given = |name: &Name| inputs.written.contains(name) || !control.text(name.as_str()).is_empty();
+    let given = TITLES.iter().chain(&VALUES).any(|name| given(name) || open(*name, found));
     if !given {
         let at = if inputs.uses(VALUES[0]) { VALUES[0] } else { TITLES[0] };
         found.push(refused(61370, "check-log-empty", at));

@@ -111,7 +111,8 @@ pub const fn values(index: usize, example: &'static str, needs: &'static [Need])
 }
 
 /// The first title line also where the columns are made of it.
-pub const TITLED: &[Need] = &[optional(STANDARD_HEADER, "need-log-titles")];
+pub const TITLED: &[Need] = &[optional(When::Any(&[STANDARD_HEADER, WIDTHS_OF_TITLES]), "need-log-titles")];
+const WIDTHS_OF_TITLES: When = When::Number { param: names::COLUMN, is: &[0.0] };
 const FORMAT: &[Need] = &[optional(When::Always, "need-log-format")];
 
 /// Program that is measured.

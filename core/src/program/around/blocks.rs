@@ -1,5 +1,7 @@
-//! The blocks of SINUMERIK, the outermost first. Results are in `_OVR[]` and `_OVI[]` (B:1837-1838); `_OVI[9]` is the
-//! number of the alarm (B:5699). M0, MSG, SETAL, IF and jumps are those of the language of the control.
+//! The blocks of SINUMERIK, the outermost first: what follows from a result stands outside of what measures again, and
+//! a log around all of it, as it would delete that of the pass before (B:11229). Results are in `_OVR[]` and `_OVI[]`
+//! (B:1837-1838); `_OVI[9]` is the number of the alarm (B:5699). M0, MSG, SETAL, IF and jumps are those of the language
+//! of the control.
 
 use super::{Block, Field, Kind, Line, Suits};
 use crate::range::Range;
@@ -36,6 +38,17 @@ pub(super) const BLOCKS: &[Block] = &[
         after: &[line("R{variable}=1", "around-say-mark"), line("{label}_MEASURED:", "")],
     },
     Block {
+        name: "log",
+        fields: &[RESULT, field("part", Kind::File, "PART"), field("file", Kind::NewFile, "LOG_1")],
+        suits: &[Suits::Workpiece, Suits::Results],
+        before: &[
+            line("_PROTNAME[0]=\"{part}\" _PROTNAME[1]=\"{file}\"", "around-say-log"),
+            line("_PROTVAL[2]=\"{result},_TIME\"", ""),
+            line("{on}", ""),
+        ],
+        after: &[line("{off}", "around-say-log-off")],
+    },
+    Block {
         name: "finish",
         fields: &[
             field("semi", Kind::Program, ""),
@@ -50,53 +63,6 @@ pub(super) const BLOCKS: &[Block] = &[
             line("M0", "around-say-halt"),
             line("{label}_FINISH:", ""),
             line("{finish}", "around-say-finish"),
-        ],
-    },
-    Block {
-        name: "rework",
-        fields: &[
-            RESULT,
-            LIMIT,
-            field("side", Kind::Side, ""),
-            field("passes", Kind::Whole(PASSES), "3"),
-            REWORK,
-            field("text", Kind::Text, "around-text-rework"),
-        ],
-        suits: &[Suits::Workpiece, Suits::Results],
-        before: &[line("R{a}=0", "around-say-count"), line("{label}_AGAIN:", "")],
-        after: &[
-            line("IF ABS({result})<={limit} GOTOF {label}_GOOD", WITHIN),
-            line("IF ({result}{side}0) AND (R{a}<{passes}) GOTOF {label}_REWORK", "around-say-left"),
-            line("MSG(\"{text}\")", ""),
-            line("M0", "around-say-halt"),
-            line("GOTOF {label}_GOOD", ""),
-            line("{label}_REWORK:", ""),
-            line("R{a}=R{a}+1", ""),
-            line("{program}", "around-say-rework"),
-            line("GOTOB {label}_AGAIN", "around-say-again"),
-            line("{label}_GOOD:", ""),
-        ],
-    },
-    Block {
-        name: "breakage",
-        fields: &[
-            RESULT,
-            field("limit", Kind::Limit, "0.5"),
-            field("program", Kind::Program, ""),
-            field("text", Kind::Text, "around-text-breakage"),
-        ],
-        suits: &[Suits::Tool, Suits::Results],
-        before: &[line("R{a}=0", "around-say-spare-none"), line("{label}_CHECK:", "")],
-        after: &[
-            line("IF ABS({result})<={limit} GOTOF {label}_WHOLE", "around-say-whole"),
-            line("IF R{a}>0 GOTOF {label}_BROKEN", "around-say-spare-too"),
-            line("R{a}=1", ""),
-            line("{program}", "around-say-spare"),
-            line("GOTOB {label}_CHECK", "around-say-again"),
-            line("{label}_BROKEN:", ""),
-            line("MSG(\"{text}\")", ""),
-            line("M0", "around-say-halt"),
-            line("{label}_WHOLE:", ""),
         ],
     },
     Block {
@@ -146,6 +112,60 @@ pub(super) const BLOCKS: &[Block] = &[
         after: &[line("IF ABS({result})>{limit} GOTOF {target}", "around-say-jump")],
     },
     Block {
+        name: "keep",
+        fields: &[RESULT, field("variable", Kind::Variable(PARAMETERS), "10")],
+        suits: &[Suits::Results],
+        before: &[],
+        after: &[line("R{variable}={result}", "around-say-keep")],
+    },
+    Block {
+        name: "rework",
+        fields: &[
+            RESULT,
+            LIMIT,
+            field("side", Kind::Side, ""),
+            field("passes", Kind::Whole(PASSES), "3"),
+            REWORK,
+            field("text", Kind::Text, "around-text-rework"),
+        ],
+        suits: &[Suits::Workpiece, Suits::Results],
+        before: &[line("R{a}=0", "around-say-count"), line("{label}_AGAIN:", "")],
+        after: &[
+            line("IF ABS({result})<={limit} GOTOF {label}_GOOD", WITHIN),
+            line("IF ({result}{side}0) AND (R{a}<{passes}) GOTOF {label}_REWORK", "around-say-left"),
+            line("MSG(\"{text}\")", ""),
+            line("M0", "around-say-halt"),
+            line("GOTOF {label}_GOOD", ""),
+            line("{label}_REWORK:", ""),
+            line("R{a}=R{a}+1", ""),
+            line("{program}", "around-say-rework"),
+            line("GOTOB {label}_AGAIN", "around-say-again"),
+            line("{label}_GOOD:", ""),
+        ],
+    },
+    Block {
+        name: "breakage",
+        fields: &[
+            RESULT,
+            field("limit", Kind::Limit, "0.5"),
+            field("program", Kind::Program, ""),
+            field("text", Kind::Text, "around-text-breakage"),
+        ],
+        suits: &[Suits::Tool, Suits::Results],
+        before: &[line("R{a}=0", "around-say-spare-none"), line("{label}_CHECK:", "")],
+        after: &[
+            line("IF ABS({result})<={limit} GOTOF {label}_WHOLE", "around-say-whole"),
+            line("IF R{a}>0 GOTOF {label}_BROKEN", "around-say-spare-too"),
+            line("R{a}=1", ""),
+            line("{program}", "around-say-spare"),
+            line("GOTOB {label}_CHECK", "around-say-again"),
+            line("{label}_BROKEN:", ""),
+            line("MSG(\"{text}\")", ""),
+            line("M0", "around-say-halt"),
+            line("{label}_WHOLE:", ""),
+        ],
+    },
+    Block {
         name: "mean",
         fields: &[
             RESULT,
@@ -156,7 +176,9 @@ pub(super) const BLOCKS: &[Block] = &[
         before: &[
             line("R{a}=0", "around-say-count"),
             line("R{variable}=0", ""),
+            line("R{b}=$AA_IW[{abscissa}] R{c}=$AA_IW[{ordinate}]", "around-say-stands"),
             line("{label}_TURN:", ""),
+            line("G0 {abscissa}=AC(R{b}) {ordinate}=AC(R{c})", "around-say-again-from"),
             line("SPOS=180*(R{a} MOD 2)", "around-say-turn"),
         ],
         after: &[
@@ -165,23 +187,5 @@ pub(super) const BLOCKS: &[Block] = &[
             line("IF R{a}<{times} GOTOB {label}_TURN", "around-say-again"),
             line("R{variable}=R{variable}/{times}", "around-say-mean"),
         ],
-    },
-    Block {
-        name: "log",
-        fields: &[RESULT, field("part", Kind::File, "PART"), field("file", Kind::NewFile, "LOG_1")],
-        suits: &[Suits::Workpiece, Suits::Results],
-        before: &[
-            line("_PROTNAME[0]=\"{part}\" _PROTNAME[1]=\"{file}\"", "around-say-log"),
-            line("_PROTVAL[2]=\"{result},_TIME\"", ""),
-            line("{on}", ""),
-        ],
-        after: &[line("{off}", "around-say-log-off")],
-    },
-    Block {
-        name: "keep",
-        fields: &[RESULT, field("variable", Kind::Variable(PARAMETERS), "10")],
-        suits: &[Suits::Results],
-        before: &[],
-        after: &[line("R{variable}={result}", "around-say-keep")],
     },
 ];

@@ -39,6 +39,34 @@ pub(super) const BLOCKS: &[Block] = &[
         after: &[line("M98P{finish}(PW-FINISH)", "")],
     },
     Block {
+        name: "stop",
+        fields: &[LIMIT, field("text", Kind::Text, "around-text-stop")],
+        suits: &[Suits::Workpiece, Suits::Offset],
+        before: &[SAVED_1, SAVED_2, SAVED_3],
+        after: &[DISTANCE, WITHIN, line("#3006=1({text})", ""), line("N{n1}", "")],
+    },
+    Block {
+        name: "alarm",
+        fields: &[LIMIT, field("number", Kind::Whole(ALARMS), "1"), field("text", Kind::Text, "around-text-stop")],
+        suits: &[Suits::Workpiece, Suits::Offset],
+        before: &[SAVED_1, SAVED_2, SAVED_3],
+        after: &[DISTANCE, WITHIN, line("#3000={number}({text})", ""), line("N{n1}", "")],
+    },
+    Block {
+        name: "jump",
+        fields: &[LIMIT, field("target", Kind::Target, "")],
+        suits: &[Suits::Workpiece, Suits::Offset],
+        before: &[SAVED_1, SAVED_2, SAVED_3],
+        after: &[DISTANCE, line("IF[#{d}GT{limit}]GOTO{target}", "around-say-jump")],
+    },
+    Block {
+        name: "keep",
+        fields: &[field("variable", Kind::Variable(STAYING), "521")],
+        suits: &[Suits::Workpiece, Suits::Offset],
+        before: &[SAVED_1, SAVED_2, SAVED_3],
+        after: &[DISTANCE, line("#{variable}=#{d}", "around-say-keep")],
+    },
+    Block {
         name: "rework",
         fields: &[
             LIMIT,
@@ -67,33 +95,5 @@ pub(super) const BLOCKS: &[Block] = &[
             line("N{n2}#3006=1({text})", ""),
             line("N{n1}", ""),
         ],
-    },
-    Block {
-        name: "stop",
-        fields: &[LIMIT, field("text", Kind::Text, "around-text-stop")],
-        suits: &[Suits::Workpiece, Suits::Offset],
-        before: &[SAVED_1, SAVED_2, SAVED_3],
-        after: &[DISTANCE, WITHIN, line("#3006=1({text})", ""), line("N{n1}", "")],
-    },
-    Block {
-        name: "alarm",
-        fields: &[LIMIT, field("number", Kind::Whole(ALARMS), "1"), field("text", Kind::Text, "around-text-stop")],
-        suits: &[Suits::Workpiece, Suits::Offset],
-        before: &[SAVED_1, SAVED_2, SAVED_3],
-        after: &[DISTANCE, WITHIN, line("#3000={number}({text})", ""), line("N{n1}", "")],
-    },
-    Block {
-        name: "jump",
-        fields: &[LIMIT, field("target", Kind::Target, "")],
-        suits: &[Suits::Workpiece, Suits::Offset],
-        before: &[SAVED_1, SAVED_2, SAVED_3],
-        after: &[DISTANCE, line("IF[#{d}GT{limit}]GOTO{target}", "around-say-jump")],
-    },
-    Block {
-        name: "keep",
-        fields: &[field("variable", Kind::Variable(STAYING), "521")],
-        suits: &[Suits::Workpiece, Suits::Offset],
-        before: &[SAVED_1, SAVED_2, SAVED_3],
-        after: &[DISTANCE, line("#{variable}=#{d}", "around-say-keep")],
     },
 ];

@@ -1,6 +1,7 @@
 //! The lines of the blocks: made from values, and found again in a program.
 
 use crate::catalogue;
+use crate::control::AXES;
 use crate::diagnostic::Span;
 use crate::dialect::Dialect;
 use crate::entry::{Inputs, address};
@@ -71,13 +72,15 @@ pub fn offset(inputs: &Inputs) -> Option<i64> {
 
 /// What the call gives: the variables of its work offset (`s1` to `s3`) and those of the one from which it is
 /// calculated (`o1` to `o3`, #4014 is the G function of the active one), the result with the alarm, the cycles of the
-/// log.
+/// log, the axes of the plane.
 pub fn given(name: &str, inputs: &Inputs) -> Option<String> {
     let axis = || name.get(1..).and_then(|digit| digit.parse::<i64>().ok()).map(|axis| axis - 1);
     match name {
         "alarm" => inputs.cycle.alarm_result().map(|field| field.name.to_owned()),
         "on" => Some(catalogue::log_switches()[0].to_owned()),
         "off" => Some(catalogue::log_switches()[1].to_owned()),
+        "abscissa" => Some(axis_of(inputs, 0)),
+        "ordinate" => Some(axis_of(inputs, 1)),
         "s1" | "s2" | "s3" => Some((OFFSETS + APART * offset(inputs)? + axis()?).to_string()),
         "o1" | "o2" | "o3" => Some(match offset(inputs)? {
             0 => (OFFSETS + axis()?).to_string(),
@@ -85,6 +88,11 @@ pub fn given(name: &str, inputs: &Inputs) -> Option<String> {
         }),
         _ => None,
     }
+}
+
+/// Name of an axis of the working plane of the call: 0 the abscissa, 1 the ordinate.
+fn axis_of(inputs: &Inputs, place: usize) -> String {
+    AXES[inputs.plane.axes()[place]].to_string()
 }
 
 /// A line with its values.

@@ -39,6 +39,23 @@ fn found(cycle: &'static Cycle, changes: &[(Name, &str)]) -> Vec<(Code, Option<N
     found.iter().map(|one| (one.code, one.param)).collect()
 }
 
+// oracle: manual A:15914, A:15945 (61370, 62308: the titles are there, whoever prints the header), B:11437 (widths)
+#[test]
+fn titles_count_with_an_own_header_too() {
+    let mut control = delivery(Dialect::Sinumerik);
+    control.set(OWN_HEADER, 1.0);
+    for (changes, told) in [
+        (vec![(COLUMN, "0")], false),
+        (vec![(COLUMN, "0"), (TITLES[0], "")], true),
+        (vec![(VALUE_LINES, "0")], false),
+        (vec![(VALUE_LINES, "0"), (TITLES[0], ""), (TITLES[1], ""), (VALUES[0], "")], true),
+    ] {
+        let found = check(&CYCLE105, &typed(&CYCLE105, &changes), &control).diagnostics;
+        let refused = found.iter().any(|one| matches!(one.code, Code::Alarm(61370 | 62308)));
+        assert_eq!(refused, told, "{changes:?} {found:?}");
+    }
+}
+
 // oracle: manual B:11192 (name), A:15903-15948 (alarms), B:11437 (widths)
 #[test]
 fn what_a_log_cannot_be_is_told() {
