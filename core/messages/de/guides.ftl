@@ -127,7 +127,7 @@ guide-repeat-4 = Die Streuung als „Wiederholgenauigkeit“ des Messtasters ein
 guide-repeat-5 = Driften die Werte, ist die Maschine nicht warm oder der Messtaster locker: zuerst das beheben und noch einmal testen.
 
 guide-commissioning = Inbetriebnahme und Hochrüstung
-guide-commissioning-words = Inbetriebnahme, Installation an der Maschine, einrichten, Hochrüsten, Update, HMI Advanced, HMI Embedded, PCU 50, MMC, TCU, Stecker, X121, Verdrahtung, Anschluss
+guide-commissioning-words = Inbetriebnahme, Installation an der Maschine, einrichten, Hochrüsten, Update, HMI Advanced, HMI Embedded, PCU 50, MMC, TCU, Stecker, X121, Verdrahtung, Anschluss, Verträglichkeit, Kompatibilität, Versionen die zusammen laufen
 guide-commissioning-1 = Die Schritte, mit denen Messzyklen auf eine Maschine kommen oder hochgerüstet werden, nach Bedientafel und Version, mit Softkeys, Dateien und der Kontrolle, ob jeder gelungen ist.
 guide-commissioning-2 = „Inbetriebnahme und Hochrüstung“ wählen und unter „Maschine“ den Weg. Erledigtes abhaken: Die Seite merkt es sich. „Anschlüsse der Messtaster“ enthält Stecker und Signale.
 guide-commissioning-3 = Wo ein Schritt Maschinendaten verlangt, sagt „Maschine prüfen“, ob sie ausreichen.

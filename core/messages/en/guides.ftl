@@ -127,7 +127,7 @@ guide-repeat-4 = Enter the deviation as “Repeatability” of the probe: certai
 guide-repeat-5 = If the values drift, the machine is not warm or the probe is loose: remedy that first, and test again.
 
 guide-commissioning = Commissioning and upgrade
-guide-commissioning-words = commissioning, installation on the machine, install, upgrade, HMI Advanced, HMI Embedded, PCU 50, MMC, TCU, plug, X121, wiring, connection
+guide-commissioning-words = commissioning, installation on the machine, install, upgrade, HMI Advanced, HMI Embedded, PCU 50, MMC, TCU, plug, X121, wiring, connection, compatibility, versions that work together
 guide-commissioning-1 = The steps by which measuring cycles come to a machine or are upgraded, by operator panel and version, with softkeys, files and how to see that each is right.
 guide-commissioning-2 = Choose “Commissioning and upgrade” and the way under “Machine”. Tick what is done: the page keeps it. “Connections of probes” has plugs and signals.
 guide-commissioning-3 = Where a step asks for machine data, “Check a machine” says whether they are sufficient.

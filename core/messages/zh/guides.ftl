@@ -126,7 +126,7 @@ guide-repeat-4 = 把标准偏差作为测头的“重复性”输入：可靠性
 guide-repeat-5 = 如果测量值漂移，说明机床未热透或测头松动：先排除，再测一次。
 
 guide-commissioning = 调试与升级
-guide-commissioning-words = 调试, 在机床上安装, 安装, 升级, HMI Advanced, HMI Embedded, PCU 50, MMC, TCU, 插头, X121, 接线, 连接
+guide-commissioning-words = 调试, 在机床上安装, 安装, 升级, HMI Advanced, HMI Embedded, PCU 50, MMC, TCU, 插头, X121, 接线, 连接，兼容性，版本搭配
 guide-commissioning-1 = 按操作面板和版本列出在机床上安装或升级测量循环的步骤，附软键、文件和检查方法。
 guide-commissioning-2 = 选“调试与升级”，在“机床”下选对应的步骤表。勾选已完成的步骤，页面会记住。“测头接线”列出插头和信号。
 guide-commissioning-3 = 步骤要求机床数据时，“检查机床”会说明它们是否足够。

@@ -3,7 +3,7 @@
 
 use super::Error;
 use super::start::{Machine, start};
-use crate::control::AXES;
+use crate::control::{AXES, Units};
 use crate::dialect::Dialect;
 use crate::entry::Typed;
 use crate::geometry::{Mcs, Wcs};
@@ -183,6 +183,7 @@ fn test(asked: &RepeatRequest, setup: &Setup) -> Result<ProbeTest, Error> {
         if value.is_finite() && value.abs() <= LARGEST { Ok(value) } else { Err(wrong(name)) }
     };
     let ends = [within("from", asked.from.unwrap_or(0.0))?, within("to", asked.to.unwrap_or(50.0))?];
+    let inch = control.active_units == Units::Inch;
     let delivered = 150.0 / control.active_units.factor();
     let feed = within("feed", asked.feed.unwrap_or(delivered))?;
     let own = if control.bit("_CHBIT[0]") { 2 } else { 1 };
@@ -193,7 +194,16 @@ fn test(asked: &RepeatRequest, setup: &Setup) -> Result<ProbeTest, Error> {
         }
     }
     let place = if control.tool == 0 { (1, 1) } else { (control.tool, control.edge.max(1)) };
-    Ok(ProbeTest { axis, ends, feed, input, place, changes: asked.changes.unwrap_or(false), plane: control.plane })
+    Ok(ProbeTest {
+        axis,
+        ends,
+        feed,
+        input,
+        place,
+        changes: asked.changes.unwrap_or(false),
+        plane: control.plane,
+        inch,
+    })
 }
 
 /// How many touches, and the first R parameter that keeps their values.

@@ -24,7 +24,7 @@ const fn from(name: &'static str, from: &'static str, source: &'static str) -> V
 }
 
 /// Those that the manual tells.
-static TOLD: [Versions; 31] = [
+static TOLD: [Versions; 32] = [
     from("_CM", "4.3", "B:13496"),
     from("_MFS", "4.3", "B:13513"),
     from("_CBIT[5]", "5.4", "B:16333-16337"),
@@ -48,6 +48,7 @@ static TOLD: [Versions; 31] = [
     from("_JM_I[7]", "6.3", "A:15436"),
     from("_JM_I[8]", "6.3", "A:15436"),
     from("_JM_I[9]", "6.3", "A:15436"),
+    Versions { name: "_JM_B[4]", from: "6.2", until: "6.2", source: "A:2948-2954;A:15449;B:14365-14366" },
     from("_JM_I", "5.3", "B:14319"),
     from("_JM_B", "5.3", "B:14351"),
     from("E_MESS_CAL_D", "6.3", "A:15380"),

@@ -78,6 +78,8 @@ pub struct Sim {
     pub in_cycle: bool,
     /// What of a measurement only seems so.
     pub pretended: Pretended,
+    /// No axis moves, though it is drawn where it would go: nothing is hit.
+    pub still: bool,
     /// Way so far with the signal of the probe watched, mm.
     watched: f64,
     /// Whether the last signal came from a contact.
@@ -128,6 +130,7 @@ impl Sim {
             gives_way: false,
             in_cycle: false,
             pretended: Pretended::default(),
+            still: false,
             watched: 0.0,
             touching: true,
             stylus_touched: false,
@@ -147,6 +150,10 @@ impl Sim {
     ) -> Result<(), Stop> {
         let way = Route { from: self.position, to, around };
         self.admit(&way)?;
+        if self.still {
+            self.go(&way, kind, feed);
+            return Ok(());
+        }
         let mut hit = if self.has_probe() { self.obstacle(&way) } else { self.tool_obstacle(&way) };
         if hit.is_some() && self.gives_way && !monitored && !self.in_cycle {
             self.equip(Workpiece::default(), Vec::new(), None);

@@ -21,6 +21,9 @@ pub struct ProbeTest {
     pub changes: bool,
     /// Working plane.
     pub plane: Plane,
+    /// Whether that unit is the inch: the program says so, as with G70 and G71 feed and measured position are in the
+    /// basic system.
+    pub inch: bool,
 }
 
 /// Where the values of repeated touches are kept.
@@ -101,12 +104,13 @@ impl ProbeTest {
     fn begin(&self, text: &mut Text) {
         let (tool, edge) = self.place;
         let plane = 17 + Plane::ALL.iter().position(|plane| *plane == self.plane).unwrap_or(0);
+        let units = if self.inch { 700 } else { 710 };
         if self.changes {
             text.line(&format!("T{tool}"));
             text.line("M6");
-            text.line(&format!("G{plane} G90 G94 D{edge}"));
+            text.line(&format!("G{plane} G90 G94 G{units} D{edge}"));
         } else {
-            text.line(&format!("G{plane} G90 G94 T{tool} D{edge}"));
+            text.line(&format!("G{plane} G90 G94 G{units} T{tool} D{edge}"));
         }
     }
 }

@@ -44,13 +44,14 @@ fn place(names: &[&str], source: String) -> String {
     format!("({})", names.chain([source]).collect::<Vec<_>>().join(", "))
 }
 
-/// A concept or a term by its name in the language, or by its id with spaces. Empty: none has it.
+/// A concept or a term by its name or short form in the language, or by its id with spaces. Empty: none has it.
 pub fn explained(asked: &str, words: &Words) -> String {
     let asked = plain(asked);
     let TermsView { concepts, terms, .. } = terms();
     let is = |title: &crate::message::Message| {
         let id = title.key.split_once('-').map_or("", |(_, id)| id);
-        [plain(&words.text(title)), plain(id)].contains(&asked)
+        let title = words.text(title);
+        [plain(&title), plain(id), plain(short(&title))].contains(&asked)
     };
     let mut text = String::new();
     for concept in concepts.iter().filter(|concept| is(&concept.title)) {
@@ -66,6 +67,12 @@ pub fn explained(asked: &str, words: &Words) -> String {
         let _ = writeln!(text, "  {}", place(&term.names, term.source.to_string()));
     }
     text
+}
+
+/// The short form of a term, which stands behind it in brackets: `WCS`; empty where there is none.
+fn short(title: &str) -> &str {
+    let behind = title.split_once(['(', '（']).map_or("", |(_, behind)| behind);
+    behind.trim_end_matches([')', '）'])
 }
 
 /// A name as somebody types it: without what stands in brackets, in lower case, its parts by spaces.
@@ -95,6 +102,8 @@ mod tests {
             for title in titles {
                 let name = words.text(title);
                 assert!(explained(&name, &words).contains(&name), "{name}");
+                let short = short(&name);
+                assert!(short.is_empty() || explained(short, &words).contains(&name), "{short}");
             }
         }
         assert_eq!(explained("nobody's word", &Words::of("en").unwrap()), "");

@@ -81,9 +81,10 @@ pub fn variable(run: &Interpreter, key: &str) -> f64 {
     f64::from(u8::from(active(run).variables().contains(&stem(key))))
 }
 
-/// The search comes to a block.
+/// The program comes to a block, where a search may end. In program test, and where it is searched, no axis moves.
 pub fn comes(run: &mut Interpreter) {
     run.searching &= run.sim.line.is_none_or(|line| line + 1 != run.limits.target);
+    run.sim.still = matches!(active(run), Mode::ProgramTest | Mode::BlockSearch);
 }
 
 /// Whether a measuring cycle is skipped here, which is told with what its results hold then. In a simulation what it

@@ -50,6 +50,27 @@ fn measuring_cycles_are_skipped_and_results_stay() {
     }
 }
 
+// oracle: hand (where no axis moves nothing is hit; in a dry run the axes move)
+#[test]
+fn nothing_is_hit_where_no_axis_moves() {
+    let program = "G17 G90 G54 T9 D1\nG0 X64 Y38 Z10\nG0 Z130\nM30\n";
+    for (mode, target, hits) in [
+        (Mode::Automatic, 0, true),
+        (Mode::DryRun, 0, true),
+        (Mode::ProgramTest, 0, false),
+        (Mode::BlockSearch, 4, false),
+        (Mode::BlockSearch, 2, true),
+    ] {
+        let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
+        let shaft = Shape::Shaft { diameter: 70.0, height: 40.0 };
+        setup.workpiece.solids.push(Solid::new(shaft, Mcs([64.0, 38.0, 120.0])));
+        setup.position = Mcs([70.0, 200.0, 500.0]);
+        let limits = Limits { mode, target, ..Limits::default() };
+        let outcome = run(&read(Dialect::Sinumerik, program.as_bytes()), &setup, limits);
+        assert_eq!(!outcome.finished(), hits, "{mode:?} {target}: {:?}", outcome.diagnostics);
+    }
+}
+
 // oracle: manual B:666 (the search is over where its block is reached), hand
 #[test]
 fn a_block_search_skips_up_to_its_line() {

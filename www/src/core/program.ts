@@ -332,7 +332,8 @@ export async function loadProgramCore(): Promise<ProgramCore> {
     practise: practised,
     practiceRecord: (request, script) =>
       JSON.parse(call("practice_record", () => wasm.practice_record(JSON.stringify(request), script))) as RunRecord,
-    practiceSetup: request => JSON.parse(call("practice_setup", () => wasm.practice_setup(JSON.stringify(request)))) as Setup,
+    practiceSetup: request =>
+      JSON.parse(call("practice_setup", () => wasm.practice_setup(JSON.stringify(request)))) as Setup,
     approach: request => JSON.parse(call("approach", () => wasm.approach(JSON.stringify(request)))) as PracticeApproach,
     asProgram: request =>
       JSON.parse(call("as_program", () => wasm.as_program(JSON.stringify(request)))) as PracticeProgram,

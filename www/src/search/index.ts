@@ -31,6 +31,7 @@ const OWN_CONTROL = 8; // times as much as another
 const CALIBRATES = 0.5; // who looks for a bore measures one more often than he calibrates in one, or says calibrate
 const WHOLE_CYCLE = 0.75; // of several variants that all could be meant, against the one that is
 const ELSEWHERE = 0.3; // found in the words of other languages alone, where a word may mean something else
+const TITLED = 20; // who types a whole title means it
 const SLIP_FROM = 5; // letters: shorter words are too near to each other
 
 const OWN_WORDS = ["code", "title", "words"]; // what the control and the language of the page say
@@ -54,7 +55,9 @@ export function createSearch(
     weights: { prefix: 0.5, fuzzy: 0.2 },
   };
   return (text, control) => {
-    const asked = new Set(words(text).map(plainWord)).size;
+    const typed = words(text).map(plainWord);
+    const asked = new Set(typed).size;
+    const titled = ({ title }: Entry): boolean => words(title).map(plainWord).join(" ") === typed.join(" ");
     const hits = index.search(text, options).flatMap((found): Hit[] => {
       const entry = all[found.id as number];
       const own = entry?.control === control ? OWN_CONTROL : 1;
@@ -68,7 +71,7 @@ export function createSearch(
         ? [
             {
               entry,
-              score: own * sort * whole * spoken * found.score * found.queryTerms.length,
+              score: (titled(entry) ? TITLED : own) * sort * whole * spoken * found.score * found.queryTerms.length,
               words: found.terms,
               complete: found.queryTerms.length >= asked,
             },

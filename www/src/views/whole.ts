@@ -50,7 +50,7 @@ const COLUMNS = [
 type Column = (typeof COLUMNS)[number];
 
 /** As what a row counts: a call of which a protocol says nothing was not measured. */
-const counts = ({ verdict, figures }: Row): Row["verdict"] | "missing" =>
+const countedAs = ({ verdict, figures }: Row): Row["verdict"] | "missing" =>
   verdict === "measured" && figures.length === 0 ? "missing" : verdict;
 
 /** The share of its limit that the deviation takes which decides; null: nothing limits it. */
@@ -384,7 +384,7 @@ export function createWhole(
 
   const count = (): string => {
     const parts = COUNTED.flatMap(({ key, verdicts, always }) => {
-      const count = rows().filter(one => verdicts.includes(counts(one))).length;
+      const count = rows().filter(one => verdicts.includes(countedAs(one))).length;
       return count > 0 || always ? [t(key, { count })] : [];
     });
     return t("whole-counts", { all: rows().length, parts: listed(parts) });

@@ -72,7 +72,7 @@ impl Sketch {
             Sketch::Empirical => ("_EV", "concept-empirical-value", "mm", 0.001, 0.02),
             Sketch::Chain => ("", "concept-drag-difference", "mm", 0.001, 0.03),
             Sketch::Braking => ("", "concept-drag-feed", "mm/min", 10.0, (example.from + example.to) / 2.0),
-            Sketch::Mono => ("_CORA", "param-cora", "°", 1.0, 0.0),
+            Sketch::Mono => ("_CORA", "param-cora", "deg", 1.0, 0.0),
             Sketch::Repeated => ("_NMSP", "param-nmsp", "", 1.0, 3.0),
         };
         dragged(example, name, Message::new(key), unit, step).at(value)
@@ -213,7 +213,8 @@ fn of_mono(corrected: f64) -> ConceptPicture {
         circle(ShapeKind::Touch, [face, 0.0], POINT),
     ];
     shapes.extend(ray(names::CORA, [0.0, 0.0], tip, 3.0));
-    shapes.extend(swept(names::CORA, 16.0, 0.0, beside));
+    shapes.push(line(ShapeKind::Axis, vec![[0.0, 0.0], polar(SEATED, 24.0)]));
+    shapes.extend(swept(names::CORA, 16.0, SEATED, beside));
     let told = Message::new("concept-told-mono").number("beside", beside.abs());
     plane(shapes, [value_of(names::CORA, corrected)].into_iter().collect(), told)
 }

@@ -33,7 +33,7 @@ impl Sim {
 
     /// What of the probe a part meets first that turns against `turn`: seen from the part the probe goes round it.
     fn met_by(&mut self, turn: &Around<Mcs>) -> Option<Obstacle> {
-        if !self.has_probe() || turn.degrees == Degrees(0.0) {
+        if self.still || !self.has_probe() || turn.degrees == Degrees(0.0) {
             return None;
         }
         let ball = self.position + self.ball();
