@@ -11,7 +11,7 @@ evaluate-corrects-whole = Die ganze Differenz wird korrigiert
 evaluate-corrects-both = Korrigiert wird um das Mittel beider Differenzen
 evaluate-corrects-zero = Das Mittel beider Differenzen ist 0, nichts wird korrigiert
 evaluate-corrects-mean = Korrigiert wird um den Mittelwert
-evaluate-corrects-nothing = Wegen _KNUM=0 wird nichts korrigiert
+evaluate-corrects-nothing = Es ist keine Korrektur gewählt, nichts wird korrigiert
 evaluate-corrects-simulated = Diese Simulation korrigiert nichts
 evaluate-restarts = Der Mittelwert beginnt neu: { $name } wird 0.
 evaluate-small = Differenz { $difference } mm ergibt Mittelwert { $mean } mm im Nullkorrekturbereich: Nichts wird korrigiert.

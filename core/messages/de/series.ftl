@@ -2,6 +2,8 @@
 
 series-runs = { $runs } Läufe, { $finished } bis zum Ende, Startwert { $seed }
 series-figure = { $mean } ± { $deviation } { $unit } (Mittelwert, Standardabweichung), 95 % von { $low } bis { $high }, alle von { $min } bis { $max }  { $label }
+series-figure-one = { $mean } { $unit } (ein Wert)  { $label }
+series-corrected-one = { $target } einmal korrigiert um { $mean } { $unit }
 series-capability = Cp { $cp }, Cpk { $cpk } (95 % von { $low } bis { $high })
 series-corrected = { $target }: { $count } Mal korrigiert um { $mean } ± { $deviation } { $unit }, von { $min } bis { $max }
 series-share = { $count } ({ $share } ± { $error } %)

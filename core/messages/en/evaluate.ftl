@@ -11,7 +11,7 @@ evaluate-corrects-whole = the whole difference is corrected
 evaluate-corrects-both = the correction is the mean of the two differences
 evaluate-corrects-zero = the mean of the two differences is 0, so nothing is corrected
 evaluate-corrects-mean = the correction is the mean value
-evaluate-corrects-nothing = nothing is corrected because _KNUM=0
+evaluate-corrects-nothing = nothing is corrected, as no correction is selected
 evaluate-corrects-simulated = this simulation corrects nothing
 evaluate-restarts = The mean value restarts: { $name } is set to 0.
 evaluate-small = Difference { $difference } mm gives mean value { $mean } mm, which is within the zero compensation area: nothing is corrected.

@@ -2,6 +2,8 @@
 
 series-runs = { $runs } runs, { $finished } to the end, seed { $seed }
 series-figure = { $mean } ± { $deviation } { $unit } (mean, standard deviation), 95 % from { $low } to { $high }, all from { $min } to { $max }  { $label }
+series-figure-one = { $mean } { $unit } (one value)  { $label }
+series-corrected-one = { $target } corrected once by { $mean } { $unit }
 series-capability = Cp { $cp }, Cpk { $cpk } (95 % from { $low } to { $high })
 series-corrected = { $target } corrected { $count } times by { $mean } ± { $deviation } { $unit }, from { $min } to { $max }
 series-share = { $count } ({ $share } ± { $error } %)

@@ -12,7 +12,7 @@ evaluate-corrects-whole = 补偿全部偏差
 evaluate-corrects-both = 按两个偏差的平均值补偿
 evaluate-corrects-zero = 两个偏差的平均值为 0，不作补偿
 evaluate-corrects-mean = 按平均值补偿
-evaluate-corrects-nothing = _KNUM=0，不作补偿
+evaluate-corrects-nothing = 未选择补偿，不作补偿
 evaluate-corrects-simulated = 此仿真不作补偿
 evaluate-restarts = 平均值重新开始计算：{ $name } 设为 0。
 evaluate-small = 由偏差 { $difference } mm 得到平均值 { $mean } mm，仍在零补偿区内：不作补偿。

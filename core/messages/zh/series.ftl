@@ -2,6 +2,8 @@
 
 series-runs = 运行 { $runs } 次，{ $finished } 次到达结尾，种子 { $seed }
 series-figure = { $mean } ± { $deviation } { $unit }（平均值，标准偏差），95 % 在 { $low } 到 { $high }，全部在 { $min } 到 { $max }  { $label }
+series-figure-one = { $mean } { $unit }（一个值）  { $label }
+series-corrected-one = { $target } 补偿一次：{ $mean } { $unit }
 series-capability = Cp { $cp }，Cpk { $cpk }（95 % 在 { $low } 到 { $high }）
 series-corrected = { $target } 补偿 { $count } 次，{ $mean } ± { $deviation } { $unit }，从 { $min } 到 { $max }
 series-share = { $count }（{ $share } ± { $error } %）

@@ -185,7 +185,8 @@ fn lines(call: &SeriesCall, words: &Words) -> Vec<String> {
     }
     for one in &call.corrected {
         let target = format!("{} {}", words.text(&one.target), one.part);
-        let message = spread("series-corrected", &one.spread, one.unit).text("target", target);
+        let message =
+            spread(["series-corrected", "series-corrected-one"], &one.spread, one.unit).text("target", target);
         lines.push(words.text(&message.number("count", one.spread.count as f64)));
     }
     let share = |one: &SeriesShare| format!("{}: {}", words.text(&one.told), words.text(&one.words));
@@ -198,11 +199,12 @@ fn lines(call: &SeriesCall, words: &Words) -> Vec<String> {
 }
 
 fn of_figure(figure: &SeriesFigure, words: &Words) -> Message {
-    spread("series-figure", &figure.spread, figure.unit).text("label", words.text(&figure.label))
+    spread(["series-figure", "series-figure-one"], &figure.spread, figure.unit).text("label", words.text(&figure.label))
 }
 
-/// A message about numbers that spread, which has their mean and the like as arguments.
-fn spread(key: &'static str, spread: &SeriesSpread, unit: &'static str) -> Message {
+/// A message about numbers that spread, which has their mean and the like as arguments; the second one where there is
+/// one number alone.
+fn spread([several, one]: [&'static str; 2], spread: &SeriesSpread, unit: &'static str) -> Message {
     let numbers = [
         ("mean", spread.mean),
         ("deviation", spread.deviation),
@@ -211,6 +213,7 @@ fn spread(key: &'static str, spread: &SeriesSpread, unit: &'static str) -> Messa
         ("min", spread.min),
         ("max", spread.max),
     ];
+    let key = if spread.count > 1 { several } else { one };
     let message = Message::new(key).text("unit", unit);
     numbers.into_iter().fold(message, |message, (name, value)| message.number(name, value))
 }
