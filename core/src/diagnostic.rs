@@ -4,6 +4,7 @@ use crate::message::Message;
 use crate::name::Name;
 use serde::{Serialize, Serializer};
 use std::fmt;
+use std::ops::Deref;
 
 /// Half-open byte range of a program's source.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -121,6 +122,11 @@ impl Diagnostic {
     /// The cause with a text.
     pub fn text(self, name: &'static str, value: impl Into<String>) -> Self {
         Self { message: self.message.text(name, value), ..self }
+    }
+
+    /// The cause with several texts, of which none is left out.
+    pub fn texts(self, name: &'static str, all: &[impl Deref<Target = str>]) -> Self {
+        Self { message: self.message.texts(name, all), ..self }
     }
 
     /// The hint with a number.

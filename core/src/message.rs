@@ -2,6 +2,7 @@
 
 use serde::{Serialize, Serializer};
 use std::borrow::Cow;
+use std::ops::Deref;
 
 /// One argument of a message.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -66,6 +67,13 @@ impl Message {
     /// blanks.
     pub fn text(mut self, name: &'static str, value: impl Into<String>) -> Self {
         self.args.push((name, Arg::Text(printable(&value.into()))));
+        self
+    }
+
+    /// With several texts, each shortened as [`Message::text`], and none left out.
+    pub fn texts(mut self, name: &'static str, all: &[impl Deref<Target = str>]) -> Self {
+        let all: Vec<String> = all.iter().map(|one| printable(one)).collect();
+        self.args.push((name, Arg::Text(all.join(", "))));
         self
     }
 

@@ -223,6 +223,7 @@ sentences! {
     ARGUMENTS_MANY 186 Error "list-arguments-many" "list-arguments-many-hint";
     SELECTION 187 Error "list-selection" "list-selection-hint";
     NEWER_OPEN 188 Note "newer-open" "";
+    NEWER_SEEN 188 Note "newer-seen" "";
     NEWER_BEYOND 188 Note "newer-beyond" "";
     CONVERT_NEWER 188 Error "convert-newer" "convert-newer-hint";
     WRITE_NEWER 188 Error "write-newer" "write-no-list-hint";
@@ -279,10 +280,16 @@ sentences! {
     OLDER_CLASH 218 Warning "older-clash" "older-clash-hint";
     OLDER_CLASH_LATER 218 Warning "older-clash-later" "older-clash-later-hint";
     CONVERT_SKIPPED 219 Error "convert-skipped" "convert-skipped-hint";
+    CONVERT_SKIP_BLOCK 219 Error "convert-skip-block" "convert-skip-block-hint";
     CONVERT_STAYS 220 Note "convert-stays" "";
+    CONVERT_READ 221 Warning "convert-read" "convert-read-hint";
+    CONVERT_VARIABLE 221 Warning "convert-variable" "convert-read-hint";
+    CONVERT_OVERWRITES 221 Error "convert-overwrites" "convert-overwrites-hint";
     NCT_LEVELS 222 Note "nct-levels" "nct-levels-hint";
     NCT_MACRO_LEVELS 223 Error "nct-macro-levels" "nct-levels-deep-hint";
     NCT_SUBPROGRAM_LEVELS 223 Error "nct-subprogram-levels" "nct-levels-deep-hint";
+    CONVERT_CALLED 224 Error "convert-called" "convert-called-hint";
+    WRITE_PLANE 225 Warning "write-plane" "write-plane-hint";
     WRITE_UNPUBLISHED 226 Error "write-unpublished" "write-no-list-hint";
     WRITE_UNPUBLISHED_VARIANT 226 Error "write-unpublished-variant" "write-no-list-hint";
     NEWER_ALONE 227 Note "newer-alone" "";

@@ -12,6 +12,7 @@ list-selection = Argument { $place } in { $name } darf nicht { $value } sein.
 list-selection-hint = Einen dieser Werte wählen: { $choices }.
 
 newer-open = { $param } = { $value }: Bedeutung in der Argumentliste neuerer Steuerungen unbekannt. Der Wert bleibt unverändert, wird aber weder geprüft noch simuliert.
+newer-seen = { $param } = { $value }: Programme neuerer Steuerungen haben dort eine andere Zahl; was diese bedeutet, ist nicht veröffentlicht.
 newer-beyond = Von { $cycle } sind { $most } Argumente veröffentlicht. Was dahinter steht, bleibt unverändert; seine Bedeutung ist unbekannt.
 newer-target = { $value } steht in Argument 2, bei neueren Steuerungen die NV-Nummer; diese Messvariante korrigiert aber keine NV.
 newer-target-hint = NV: 3. Stelle von Argument 1 auf 1 setzen. Werkzeug: Argument 3 (S_KNUM1) verwenden. Sonst Argument 2 leer lassen.

@@ -13,6 +13,8 @@ write-lost = { $name } entfällt: Die Argumentliste neuerer Steuerungen hat kein
 write-lost-hint = Aufruf als Zuweisungen schreiben, falls der Wert nötig ist, oder den Wert an der Steuerung einstellen.
 write-expression = { $name }={ $value } wird als eigene Zuweisung geschrieben: Wäre { $value } gleich 0, ließe CYCLE_PARA den vorherigen Wert bestehen.
 write-expression-lost = { $name }={ $value } ginge verloren: Die Argumentliste neuerer Steuerungen hat kein Argument dafür.
+write-plane = _DMODE = 1 wird auch in Ebene { $plane } geschrieben: Welche Zahl welche Ebene bedeutet, ist nicht veröffentlicht.
+write-plane-hint = Vor dem ersten Lauf die Ebene an der Steuerung prüfen.
 
 convert-same = Der Aufruf hat bereits diese Schreibweise.
 convert-lost = Beim Umwandeln entfallen: { $names }. Die ältere Steuerung hat keinen Parameter dafür.
@@ -25,7 +27,16 @@ convert-expression = Der Aufruf bleibt unverändert: { $value } für { $name } k
 convert-expression-hint = { $name }={ $value } direkt vor den Aufruf schreiben; dazwischen darf nichts den Wert ändern.
 convert-skipped = Der Aufruf bleibt unverändert: { $name } wird nur auf manchen Wegen zum Aufruf zugewiesen; im neuen Aufruf gälte der Wert immer.
 convert-skipped-hint = { $name } auf jedem Weg zuweisen, oder direkt vor dem Aufruf.
+convert-skip-block = Der Aufruf bleibt unverändert: { $name } wird in einem ausblendbaren Satz (/) zugewiesen; im neuen Aufruf gälte der Wert immer.
+convert-skip-block-hint = { $name } ohne „/“ zuweisen, oder den Aufruf in derselben Ausblendebene schreiben.
 convert-stays = Bleibt stehen, wird aber von der Argumentliste nicht gelesen: { $names }. Neuere Steuerungen haben dafür Settingdaten, soweit bekannt.
+convert-read = Bleibt stehen, weil andere Anweisungen den Wert lesen (Zeile): { $names }.
+convert-variable = Der Aufruf liest diese Variablen selbst, weil mehrere Zuweisungen zu ihm führen: { $names }.
+convert-read-hint = Eine neuere Steuerung hat diese Variablen vielleicht nicht: Anweisungen prüfen, die sie lesen.
+convert-overwrites = Der Aufruf bleibt unverändert: Zeile { $line } liest { $name }, der neue Aufruf würde einen anderen Wert zuweisen.
+convert-overwrites-hint = Dort eine Variable mit anderem Namen als { $name } verwenden, dann den Aufruf umwandeln.
+convert-called = Der Aufruf bleibt unverändert: { $program }, zwischen der Zuweisung von { $name } und dem Aufruf gerufen, kann den Wert lesen oder ändern.
+convert-called-hint = { $name } direkt vor dem Aufruf zuweisen.
 convert-unused = { $cycle } verwendet diese Werte in dieser Variante nicht, daher entfallen sie: { $names }.
 convert-macro = Der Aufruf bleibt unverändert: Ein Makro liefert mehrere Werte des Aufrufs.
 convert-macro-hint = Zuerst im Programm das Makro durch seinen Text ersetzen.

@@ -12,6 +12,7 @@ list-selection = Argument { $place } of { $name } cannot be { $value }.
 list-selection-hint = Permitted: { $choices }.
 
 newer-open = { $param } = { $value }: its meaning in the argument list of a newer control is not known. It is kept as written, not checked and not simulated.
+newer-seen = { $param } = { $value }: programs of newer controls have another number there; what this one means is not published.
 newer-beyond = { $cycle } has { $most } published arguments. What is behind them is kept as written; its meaning is not known.
 newer-target = { $value } is in argument 2, where newer controls expect the number of a zero offset, but this variant corrects no zero offset.
 newer-target-hint = Zero offset: set the 3rd digit of argument 1 to 1. Tool: use argument 3 (S_KNUM1). Or leave argument 2 empty.

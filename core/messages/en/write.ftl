@@ -13,6 +13,8 @@ write-lost = { $name } is omitted: the argument list of newer controls has no ar
 write-lost-hint = If the value matters, write the call as assignments, or set it on the control.
 write-expression = { $name }={ $value } is written as a separate assignment: if { $value } were 0, CYCLE_PARA would keep the previous value.
 write-expression-lost = { $name }={ $value } would be lost: the argument list of newer controls has no argument for it.
+write-plane = _DMODE = 1 is written in plane { $plane } too: which number names which plane is not published.
+write-plane-hint = Check the plane on the control before the first run.
 
 convert-same = The call is already written in this style.
 convert-lost = No parameter on the older control, therefore omitted: { $names }.
@@ -25,7 +27,16 @@ convert-expression = The call is unchanged: { $value }, assigned to { $name }, m
 convert-expression-hint = Write { $name }={ $value } directly before the call, with nothing in between that changes it.
 convert-skipped = The call is unchanged: { $name } is assigned on some paths to the call only; in the converted call it would always count.
 convert-skipped-hint = Assign { $name } on every path, or directly before the call.
+convert-skip-block = The call is unchanged: { $name } is assigned in a skippable block (/); in the converted call it would always count.
+convert-skip-block-hint = Assign { $name } without “/”, or put the call into the same skip level.
 convert-stays = Left as written, but not read by the argument list: { $names }. Newer controls use setting data instead, where known.
+convert-read = Left as written, since other statements read them (line): { $names }.
+convert-variable = The call reads these variables itself, since several assignments lead to it: { $names }.
+convert-read-hint = A newer control may not have these variables: check the statements that read them.
+convert-overwrites = The call is unchanged: line { $line } reads { $name }, and the converted call would assign another value to it.
+convert-overwrites-hint = Use a variable of another name instead of { $name } there, then convert the call.
+convert-called = The call is unchanged: { $program }, called between the assignment of { $name } and the call, may read or change it.
+convert-called-hint = Assign { $name } directly before the call.
 convert-unused = { $cycle } does not use these values in this variant, therefore omitted: { $names }.
 convert-macro = The call is unchanged: a macro supplies more than one of its values.
 convert-macro-hint = Replace the macro with its text in the program first.

@@ -12,6 +12,7 @@ list-selection = { $name } 的第 { $place } 个参数不能是 { $value }。
 list-selection-hint = 请从 { $choices } 中选择。
 
 newer-open = { $param } = { $value }：在新型控制系统参数表中的含义未知。保留原样，不检查，也不模拟。
+newer-seen = { $param } = { $value }：新型控制系统的程序在此处用其他数值；该数值的含义未公布。
 newer-beyond = { $cycle } 公开的参数有 { $most } 个。其后的内容按原样保留，含义未知。
 newer-target = 第 2 个参数写了 { $value }：新型控制系统在该处写零点偏移号，而此测量方式不补偿零点偏移。
 newer-target-hint = 请把第 1 个参数的第 3 位设为 1（零点偏移），或把刀具补偿写在第 3 个参数（S_KNUM1）；也可将第 2 个参数留空。

@@ -13,6 +13,8 @@ write-lost = 略去 { $name }：新型控制系统的参数表中没有对应的
 write-lost-hint = 若此值重要，请写成赋值和调用，或在控制系统上设置该数据。
 write-expression = { $name }={ $value } 单独写成赋值：若 { $value } 为 0，CYCLE_PARA 会保留原来的值。
 write-expression-lost = { $name }={ $value } 会丢失：新型控制系统的参数表中没有对应的参数。
+write-plane = _DMODE = 1 在平面 { $plane } 中同样写入：哪个数值表示哪个平面未公布。
+write-plane-hint = 首次运行前请在控制系统上检查平面。
 
 convert-same = 调用已经是这种书写方式。
 convert-lost = 参数表中的 { $names } 略去：旧型控制系统没有对应的参数。
@@ -25,7 +27,16 @@ convert-expression = 调用保持不变：赋给 { $name } 的 { $value } 在新
 convert-expression-hint = 请把 { $name }={ $value } 直接写在调用前面，其间不要改变该值。
 convert-skipped = 调用保持不变：只有部分路径给 { $name } 赋值；转换后该值会始终生效。
 convert-skipped-hint = 请在每条路径上给 { $name } 赋值，或直接在调用前赋值。
+convert-skip-block = 调用保持不变：{ $name } 在可跳过的程序段（/）中赋值；转换后该值会始终生效。
+convert-skip-block-hint = 请不带“/”给 { $name } 赋值，或把调用放在同一跳过级。
 convert-stays = 保持原样，但参数表不读取：{ $names }。较新的控制系统改用设定数据（就已公开的而言）。
+convert-read = 保持原样，因为其他语句读取（行号）：{ $names }。
+convert-variable = 调用自身读取这些变量，因为有多处赋值到达此调用：{ $names }。
+convert-read-hint = 较新的控制系统可能没有这些变量：请检查读取它们的语句。
+convert-overwrites = 调用保持不变：第 { $line } 行读取 { $name }，转换后的调用会给它赋其他值。
+convert-overwrites-hint = 请在该处改用 { $name } 以外的变量名，然后再转换此调用。
+convert-called = 调用保持不变：在 { $name } 的赋值与此调用之间调用的 { $program } 可能读取或更改该值。
+convert-called-hint = 请在调用前直接给 { $name } 赋值。
 convert-unused = { $cycle } 在此方式下不使用这些值，因此省略：{ $names }。
 convert-macro = 调用保持不变：一个宏同时包含此调用的多个值。
 convert-macro-hint = 请先在程序中用宏的文本代替该宏。

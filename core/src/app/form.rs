@@ -11,9 +11,10 @@ use super::twin::{TwinView, twins};
 use super::unsimulated;
 use super::{Error, choose_units, cycle};
 use crate::catalogue::find;
+use crate::catalogue::newer::arguments::Argument;
 use crate::catalogue::newer::variant_title;
 use crate::check::{Checked, Parsed, expression, newer, parse, variants};
-use crate::control::{Control, GENERATION, MachineSort, OF_LISTS, Plane, Transverse, UnitFunction};
+use crate::control::{Control, MachineSort, Plane, Transverse, UnitFunction};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::dialect::Dialect;
 use crate::entry::{ArgumentList, Cycle, Inputs, Kind, Style, Typed, names};
@@ -206,6 +207,9 @@ pub fn form(mut asked: FormRequest) -> Result<FormView, Error> {
         None => support.map_or(Style::Direct, |support| support.style(cycle)),
     };
     let support = support.filter(|_| newer.is_none());
+    if let (Some(_), None) = (newer, asked.written) {
+        without_worked_target(cycle, &mut asked.values, control);
+    }
     let (values, before) = entered(support, cycle, asked.values, control);
     let judge = |values: &Typed, control: &Control| match newer {
         Some(list) => newer::check_simulated(cycle, list, values, control),
@@ -219,7 +223,9 @@ pub fn form(mut asked: FormRequest) -> Result<FormView, Error> {
     if asked.written.is_none() {
         checked.diagnostics.iter_mut().for_each(|found| name_missing(found, &values, control));
     }
-    let values_of = Values { typed: &values, expressions: &asked.expressions };
+    let written = newer.filter(|_| asked.written.is_some());
+    let kept = written.map(|list| with_unused(cycle, list, &values, control));
+    let values_of = Values { typed: kept.as_ref().unwrap_or(&values), expressions: &asked.expressions };
     let style = asked.style.unwrap_or(preset);
     let mut view = view(cycle, &values_of, control, &checked, style, asked.comments.as_ref());
     view.preset = preset;
@@ -228,15 +234,14 @@ pub fn form(mut asked: FormRequest) -> Result<FormView, Error> {
         let listed = Listed { cycle, list, written: asked.written.is_some() };
         view.fields = listed.fields(view.fields, &values, control);
         keep_to_list(&mut view, cycle, list, &values, style, control);
-        tell_at_fields(&mut view);
+        tell_at_fields(&mut view, asked.written.is_none());
     } else if let Some(list) = shown {
         view.fields.extend(form::beside(list, &values, control));
         form::name_arguments(list, &mut view.fields);
     }
-    if newer.is_none() && control.number(GENERATION) == OF_LISTS && asked.written.is_none() {
-        let unwritten = newer_list(cycle, Some(Style::Operate));
-        let told = unwritten.map(|_| own::WRITE_ASSIGNED.finding().text("cycle", cycle.name));
-        view.snippet_findings.extend(told.iter().map(Finding::of));
+    if asked.written.is_none() {
+        let other = write::other_generation(cycle, style, control);
+        view.diagnostics.extend(other.iter().map(Finding::of));
     }
     name_columns(&mut view.fields, asked.control, &asked.measured);
     for field in &mut view.fields {
@@ -279,6 +284,21 @@ pub fn form(mut asked: FormRequest) -> Result<FormView, Error> {
     Ok(view)
 }
 
+/// The values of a call of a program with those that its variant does not use on the older control, by the names of their
+/// arguments: whatever they mean there, the list keeps them.
+fn with_unused(cycle: &'static Cycle, list: &'static ArgumentList, values: &Typed, control: &Control) -> Typed {
+    let inputs = check::read(cycle, values, control, &mut Vec::new());
+    let mut all = values.clone();
+    for argument in Argument::all(list) {
+        let Some(param) = argument.param.and_then(|name| cycle.param(name.as_str())) else { continue };
+        let unused = param.need(&inputs).is_none() && cycle.variant_param() != Some(param.name);
+        if let (true, Some(text)) = (unused, values.get(param.name.as_str())) {
+            all.entry(argument.name.to_owned()).or_insert_with(|| text.clone());
+        }
+    }
+    all
+}
+
 /// What of a call in the list of a newer control is not known: the variant has no name and no picture then, and no
 /// other call style says it.
 fn keep_to_list(
@@ -303,12 +323,27 @@ fn keep_to_list(
     }
 }
 
-/// What the list has no place for is told at the field that keeps it, and not below the text.
-fn tell_at_fields(view: &mut FormView) {
+/// What the list has no place for is told at the field that keeps it, and not below the text; so is, of a call that is
+/// still to be written (`new`), why it cannot be.
+fn tell_at_fields(view: &mut FormView, new: bool) {
     let lost = own::WRITE_LOST.code();
-    let (at_fields, rest) = std::mem::take(&mut view.snippet_findings).into_iter().partition(|one| one.code == lost);
+    let at_field = |one: &Finding| one.code == lost || new && one.severity == Severity::Error;
+    let (at_fields, rest): (Vec<Finding>, _) =
+        std::mem::take(&mut view.snippet_findings).into_iter().partition(at_field);
     view.snippet_findings = rest;
-    view.diagnostics.extend::<Vec<Finding>>(at_fields);
+    view.complete &= at_fields.iter().all(|one| one.severity != Severity::Error);
+    view.diagnostics.extend(at_fields);
+}
+
+/// The worked measurement of the older control corrects a tool; a list starts without: argument 2 takes zero offsets.
+fn without_worked_target(cycle: &'static Cycle, values: &mut Typed, control: &Control) {
+    let worked = cycle.example().find(|(name, _)| *name == names::KNUM);
+    let held = values.get(names::KNUM.as_str());
+    if worked.is_some_and(|(_, text)| held.is_some_and(|held| held == text))
+        && newer::has_tool_target(cycle, values, control)
+    {
+        values.remove(names::KNUM.as_str());
+    }
 }
 
 /// Names columns that show a result as the measuring calls name it, where they agree.

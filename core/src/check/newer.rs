@@ -6,7 +6,7 @@
 use super::{Checked, Parsed, Target, check, error, parse, target, typed, variants};
 use crate::control::Control;
 use crate::diagnostic::{Code, Diagnostic, Severity};
-use crate::entry::{ArgumentList, Cycle, Inputs, ProbeUse, Typed, names};
+use crate::entry::{ArgumentList, Cycle, Inputs, ProbeUse, Published, Typed, names};
 use crate::message::Message;
 use crate::name::Name;
 use crate::own::{self, Own};
@@ -164,7 +164,7 @@ fn judged<'a>(cycle: &'static Cycle, list: &ArgumentList, typed: &'a Typed, cont
     if is_open(cycle, list, typed, control) {
         judged.unknown(diagnostics);
     } else {
-        judged.correction(diagnostics).into_iter().for_each(|one| judged.keep(one));
+        judged.correction(diagnostics).into_iter().for_each(|one| judged.keep(one, list));
     }
     judged.probe();
     judged.numbers(list);
@@ -225,7 +225,7 @@ impl<'a> Judged<'a> {
     }
 
     /// A finding of the older control, as far as it counts.
-    fn keep(&mut self, one: Diagnostic) {
+    fn keep(&mut self, one: Diagnostic, list: &ArgumentList) {
         if one.param == Some(names::PRNUM) && one.severity == Severity::Error {
             return self.foreign.push(names::PRNUM); // what is wrong with it, `probe` says
         }
@@ -244,7 +244,8 @@ impl<'a> Judged<'a> {
         let infeed = one.code == own::INFEED.code();
         let stops = infeed || one.severity == Severity::Error && order.is_none();
         let Some(name) = one.param.filter(|name| stops && !self.foreign.contains(name)) else { return };
-        if written(&name) && !infeed {
+        let published = self.read().given(name).is_some_and(|number| list.publishes(name, number));
+        if written(&name) && !infeed && !published {
             self.open(name);
         }
         self.foreign.push(name);
@@ -256,6 +257,11 @@ impl<'a> Judged<'a> {
             let name = list.typed_as(argument);
             let Parsed::Number(number) = parse(text(self.typed, name)) else { continue };
             if published.holds(number) || self.foreign.contains(&name) {
+                continue;
+            }
+            if matches!(published, Published::Seen(_)) {
+                let finding = own::NEWER_SEEN.finding().text("param", *argument).number("value", number);
+                self.found.push(finding.at(name));
                 continue;
             }
             self.foreign.push(name);

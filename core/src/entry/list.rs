@@ -41,13 +41,15 @@ pub enum Published {
     OneOf(&'static [f64]),
     /// From one to another, both included.
     Within(f64, f64),
+    /// Programs have these; another one is noted, and counts as on the older control.
+    Seen(&'static [f64]),
 }
 
 impl Published {
     /// Whether the number is one of them.
     pub fn holds(&self, number: f64) -> bool {
         match self {
-            Published::OneOf(numbers) => numbers.contains(&number),
+            Published::OneOf(numbers) | Published::Seen(numbers) => numbers.contains(&number),
             Published::Within(least, most) => (*least..=*most).contains(&number),
         }
     }
@@ -132,6 +134,11 @@ impl ArgumentList {
     pub fn typed_as(&self, argument: &'static str) -> Name {
         let same = |arg: &&Arg| matches!(arg, Arg::Newer(name, _) if *name == argument);
         self.args.iter().find(same).and_then(Arg::param).unwrap_or(Name::new(argument))
+    }
+
+    /// Whether programs of newer controls have this number in the argument with the meaning of this parameter.
+    pub fn publishes(&self, name: Name, number: f64) -> bool {
+        self.published.iter().any(|(argument, numbers)| self.typed_as(argument) == name && numbers.holds(number))
     }
 
     /// Whether it has an argument of this name.

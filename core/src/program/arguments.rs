@@ -43,6 +43,16 @@ pub(crate) fn only_newer(program: &Program, list: &'static ArgumentList, call: S
     said.collect()
 }
 
+/// Arguments of a call behind the last one of its list, by their places.
+pub(super) fn beyond(
+    program: &Program,
+    list: &'static ArgumentList,
+    call: Span,
+) -> impl Iterator<Item = (usize, String)> {
+    let all = texts(program, call).into_iter().enumerate().skip(list.args.len());
+    all.filter(|(_, (_, text))| !text.is_empty()).map(|(index, (_, text))| (index + 1, text))
+}
+
 /// What programs of newer controls write in `_DMODE` and `_AMODE` of every call: it says nothing about the measurement.
 const USUAL_MODE: &str = "1";
 

@@ -3,6 +3,7 @@
 
 use super::arguments;
 use super::calls::CallSite;
+use super::readers::Outside;
 use crate::check::{expression::is_parameter, parse};
 use crate::diagnostic::{Diagnostic, Span};
 use crate::dialect::Dialect;
@@ -40,10 +41,27 @@ pub(super) fn moves(program: &Program, site: &CallSite, said: &[Name]) -> Option
 }
 
 /// A value that is written on some ways to the call only: on the others it is what an earlier call left, and in the call
-/// it would always count.
-pub(super) fn skipped(site: &CallSite) -> Option<Diagnostic> {
+/// it would always count. So it is with one in a block that can be skipped where the call cannot.
+pub(super) fn skipped(program: &Program, site: &CallSite, said: &[Name]) -> Option<Diagnostic> {
+    let skip = |place: Span| program.blocks.get(program.line_of(place.start) as usize).and_then(|block| block.skip);
+    let of_call = skip(site.span);
+    let skips = |name: &&Name| {
+        let alone = site.places.get(*name).copied().into_iter();
+        let mut places = alone.chain(site.origins.get(*name).into_iter().flatten().map(|origin| origin.place));
+        places.any(|place| skip(place).is_some_and(|level| Some(level) != of_call))
+    };
+    if let Some(name) = said.iter().find(skips) {
+        return Some(own::CONVERT_SKIP_BLOCK.finding().text("name", name.as_str()).hint_text("name", name.as_str()));
+    }
     let name = site.sometimes.first()?;
     Some(own::CONVERT_SKIPPED.finding().text("name", name.as_str()).hint_text("name", name.as_str()))
+}
+
+/// A program outside of the text that is called between a value and the call: it may read the value or change it.
+pub(super) fn called(program: &Program, outside: &Outside, site: &CallSite, said: &[Name]) -> Option<Diagnostic> {
+    let (name, called) = outside.between(program, site, said)?;
+    let finding = own::CONVERT_CALLED.finding().text("name", name.as_str()).text("program", called);
+    Some(finding.hint_text("name", name.as_str()))
 }
 
 /// The expression of a value is not worth the same at the call.

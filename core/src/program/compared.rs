@@ -49,6 +49,8 @@ pub fn compared(program: &Program, site: &CallSite, after: &CallSite) -> Vec<Com
     if let (Some(list), None) = (site.newer_list(), after.newer_list()) {
         let lost = arguments::only_newer(program, list, site.span).into_iter();
         all.extend(lost.map(|(name, text)| value(name, Some(text), None)));
+        let beyond = arguments::beyond(program, list, site.span);
+        all.extend(beyond.map(|(place, text)| value(&place.to_string(), Some(text), None)));
     }
     all
 }

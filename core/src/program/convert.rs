@@ -4,8 +4,10 @@ use super::calls::{CallSite, calls_on};
 use super::change::{Edit, apply, behind_label, line_end};
 use super::compared::{ComparedValue, compared};
 use super::own_words::{Lines, emptied, mark_before, own_words, without_comment};
-use super::write::{Values, Written, snippet_of};
+use super::readers::{Outside, Readers};
+use super::write::{Values, Written, snippet_of, value};
 use super::{arguments, carried};
+use crate::catalogue::newer::arguments::Argument;
 use crate::check::{Parsed, newer, parse};
 use crate::control::{Control, gud};
 use crate::diagnostic::{Diagnostic, Span};
@@ -14,7 +16,7 @@ use crate::name::Name;
 use crate::support::Mark;
 use crate::syntax::{Program, WordKind};
 use crate::{check, own};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Edits that turn calls into another style, and what has to be said about it.
 #[derive(Default)]
@@ -34,6 +36,20 @@ struct Plan {
     index: usize,
     edits: Vec<Edit>,
     written: Written,
+    /// The values whose assignments stay, each with the first line of another statement that reads it.
+    stays: BTreeMap<Name, u32>,
+}
+
+/// What calls are converted with.
+struct Job<'a> {
+    program: &'a Program,
+    sites: &'a [CallSite],
+    readers: Readers,
+    outside: Outside,
+    style: Style,
+    control: &'a Control,
+    /// Whether all calls are converted: what is said of one is told where it stands.
+    all: bool,
 }
 
 /// Writes the call at `index` of the program's calls in this way; the program starts on a control in this state.
@@ -43,8 +59,9 @@ pub fn convert(program: &Program, index: usize, style: Style, control: &Control)
     if style_of(site) == style {
         return refused(vec![own::CONVERT_SAME.finding()]);
     }
-    match planned(program, &sites, index, style, control) {
-        Ok(plan) => with_stays(program, &sites, style, together(program, &sites, vec![plan], control)),
+    let job = Job::new(program, &sites, style, control, false);
+    match job.planned(index) {
+        Ok(plan) => with_stays(program, &sites, style, job.together(vec![plan])),
         Err(findings) => refused(findings),
     }
 }
@@ -52,6 +69,7 @@ pub fn convert(program: &Program, index: usize, style: Style, control: &Control)
 /// Writes all calls in this way whose cycle has it; those that cannot be written so stay, and the reason is told there.
 pub fn convert_all(program: &Program, style: Style, control: &Control) -> Converted {
     let sites = calls_on(program, control.clone());
+    let job = Job::new(program, &sites, style, control, true);
     let mut plans = Vec::new();
     let mut stay = Vec::new();
     for (index, site) in sites.iter().enumerate() {
@@ -59,7 +77,7 @@ pub fn convert_all(program: &Program, style: Style, control: &Control) -> Conver
         if style_of(site) == style || !has_it {
             continue;
         }
-        match planned(program, &sites, index, style, control) {
+        match job.planned(index) {
             Ok(plan) => plans.push(plan),
             Err(findings) => stay.extend(findings.into_iter().map(|one| one.on(site.span))),
         }
@@ -67,7 +85,7 @@ pub fn convert_all(program: &Program, style: Style, control: &Control) -> Conver
     if plans.is_empty() && stay.is_empty() {
         return refused(vec![own::CONVERT_SAME.finding()]);
     }
-    let mut done = with_stays(program, &sites, style, together(program, &sites, plans, control));
+    let mut done = with_stays(program, &sites, style, job.together(plans));
     done.findings.splice(0..0, stay);
     done
 }
@@ -95,7 +113,7 @@ fn staying(program: &Program, sites: &[CallSite], edits: &[Edit]) -> Option<Diag
             names.push(name);
         }
     }
-    (!names.is_empty()).then_some(own::CONVERT_STAYS.finding().text("names", names.join(", ")))
+    (!names.is_empty()).then_some(own::CONVERT_STAYS.finding().texts("names", &names))
 }
 
 /// Where the values of a call are written.
@@ -108,55 +126,107 @@ fn style_of(site: &CallSite) -> Style {
     site.list.map_or(Style::Direct, |list| list.style)
 }
 
-/// The edits of one call, or why there are none.
-fn planned(
-    program: &Program,
-    sites: &[CallSite],
-    index: usize,
-    style: Style,
-    control: &Control,
-) -> Result<Plan, Vec<Diagnostic>> {
-    let site = sites.get(index).ok_or_else(Vec::new)?;
-    if program.is_of_macro(site.span) || site.places.values().any(|place| program.is_of_macro(*place)) {
-        return Err(vec![own::CONVERT_MACRO.finding()]);
+impl<'a> Job<'a> {
+    fn new(program: &'a Program, sites: &'a [CallSite], style: Style, control: &'a Control, all: bool) -> Job<'a> {
+        Job { program, sites, readers: Readers::of(program), outside: Outside::of(program), style, control, all }
     }
-    let at_call = site.control_at(control);
-    if let Some(finding) = foreign(program, site, &at_call) {
-        return Err(vec![finding]);
-    }
-    let values = Values { typed: &explicit(site, &at_call), expressions: &site.expressions };
-    let written = snippet_of(site.cycle, &values, &at_call, style, None);
-    if written.text.is_empty() {
-        return Err(written.findings);
-    }
-    let lost = carried::stuck(program, site).or_else(|| carried::moves(program, site, &written.said));
-    match lost.or_else(|| carried::skipped(site)) {
-        Some(finding) => Err(vec![finding]),
-        None => Ok(Plan { index, edits: rewritten(program, site, &written), written }),
-    }
-}
 
-/// All plans at once. One that would give an expression another worth is left out, and the reason is told at its call.
-fn together(program: &Program, sites: &[CallSite], mut plans: Vec<Plan>, control: &Control) -> Converted {
-    let alone = plans.len() == 1;
-    let mut stay = Vec::new();
-    loop {
-        let mut edits: Vec<Edit> = plans.iter().flat_map(|plan| plan.edits.iter().cloned()).collect();
-        edits.sort_by_key(|edit| (edit.span.start, edit.span.end));
-        let after = calls_on(&program.again(&apply(&program.source, &edits)), control.clone());
-        let before = plans.len();
-        plans.retain(|plan| {
-            let pair = sites.get(plan.index).zip(after.get(plan.index));
-            let differs =
-                pair.and_then(|(site, after)| Some((site, carried::differs(site, after, &plan.written.said)?)));
-            let finding = differs.map(|(site, name)| (site.span, carried::changing(site, name)));
-            let fits = finding.is_none();
-            stay.extend(finding.map(|(span, one)| if alone { one } else { one.on(span) }));
-            fits
-        });
-        if plans.len() == before || plans.is_empty() {
-            return told(program, sites, &after, Told { plans, edits, stay }, control);
+    /// The edits of one call, or why there are none.
+    fn planned(&self, index: usize) -> Result<Plan, Vec<Diagnostic>> {
+        let Job { program, style, control, .. } = *self;
+        let site = self.sites.get(index).ok_or_else(Vec::new)?;
+        if program.is_of_macro(site.span) || site.places.values().any(|place| program.is_of_macro(*place)) {
+            return Err(vec![own::CONVERT_MACRO.finding()]);
         }
+        let at_call = site.control_at(control);
+        if let Some(finding) = foreign(program, site, &at_call) {
+            return Err(vec![finding]);
+        }
+        let values = Values { typed: &explicit(site, &at_call), expressions: &site.expressions };
+        let written = snippet_of(site.cycle, &values, &at_call, style, None);
+        if written.text.is_empty() {
+            return Err(written.findings);
+        }
+        let said = &written.said;
+        let lost = carried::stuck(program, site).or_else(|| carried::moves(program, site, said));
+        let lost = lost
+            .or_else(|| carried::called(program, &self.outside, site, said))
+            .or_else(|| carried::skipped(program, site, said));
+        if let Some(finding) = lost.or_else(|| self.overwrites(site, &values, said)) {
+            return Err(vec![finding]);
+        }
+        let stays = self.stays(site);
+        let edits = self.rewritten(site, &written, &stays);
+        Ok(Plan { index, edits, written, stays })
+    }
+
+    /// The values of a call that other statements read: their assignments stay.
+    fn stays(&self, site: &CallSite) -> BTreeMap<Name, u32> {
+        let names = site.places.keys().filter(|name| site.own_place(name.as_str()).is_some());
+        let read = names.filter_map(|name| Some((*name, self.readers.line(self.program, site, name.as_str())?)));
+        if site.newer_list().is_some() { BTreeMap::new() } else { read.collect() }
+    }
+
+    /// A value of a list that another statement reads as a variable: the call would assign it.
+    fn overwrites(&self, site: &CallSite, values: &Values, said: &[Name]) -> Option<Diagnostic> {
+        site.newer_list()?;
+        let anew = |name: &Name| values.typed.get(name.as_str()).is_some_and(|text| *text != name.as_str());
+        let mut names = said.iter().filter(|name| anew(name));
+        let read = |name: &Name| Some((*name, self.readers.line(self.program, site, name.as_str())?));
+        let (name, line) = names.find_map(read)?;
+        let finding = own::CONVERT_OVERWRITES.finding().text("name", name).number("line", f64::from(line));
+        Some(finding.hint_text("name", name))
+    }
+
+    /// All plans at once. One that would give an expression another worth is left out, and the reason is told at its
+    /// call.
+    fn together(&self, mut plans: Vec<Plan>) -> Converted {
+        let Job { program, sites, control, .. } = *self;
+        let mut stay = Vec::new();
+        loop {
+            let mut edits: Vec<Edit> = plans.iter().flat_map(|plan| plan.edits.iter().cloned()).collect();
+            edits.sort_by_key(|edit| (edit.span.start, edit.span.end));
+            let after = calls_on(&program.again(&apply(&program.source, &edits)), control.clone());
+            let before = plans.len();
+            plans.retain(|plan| {
+                let pair = sites.get(plan.index).zip(after.get(plan.index));
+                let differs =
+                    pair.and_then(|(site, after)| Some((site, carried::differs(site, after, &plan.written.said)?)));
+                let finding = differs.map(|(site, name)| (site.span, carried::changing(site, name)));
+                let fits = finding.is_none();
+                stay.extend(finding.map(|(span, one)| if self.all { one.on(span) } else { one }));
+                fits
+            });
+            if plans.len() == before || plans.is_empty() {
+                return self.told(&after, Told { plans, edits, stay });
+            }
+        }
+    }
+
+    /// What has to be said about it.
+    fn told(&self, after: &[CallSite], done: Told) -> Converted {
+        let Job { program, sites, style, .. } = *self;
+        let Told { plans, edits, stay } = done;
+        if plans.is_empty() {
+            return refused(stay);
+        }
+        let mut converted = Converted { edits, findings: stay, calls: plans.len(), ..Converted::default() };
+        let mut indices = Vec::with_capacity(plans.len());
+        for Plan { index, written, stays, .. } in plans {
+            indices.push(index);
+            let Some(site) = sites.get(index) else { continue };
+            let mut said: Vec<Diagnostic> = unused(site, &written, &stays).into_iter().collect();
+            said.extend(read_still(site, &written, &stays, style));
+            said.extend(written.findings);
+            said.extend(left_out(program, site));
+            if let Some(after) = after.get(index) {
+                converted.values.extend(compared(program, site, after));
+            }
+            let placed = |one: Diagnostic| if self.all { one.on(site.span) } else { one };
+            converted.findings.extend(said.into_iter().map(placed));
+        }
+        converted.findings.extend(others(sites, after, &indices, self.control));
+        converted
     }
 }
 
@@ -167,24 +237,16 @@ struct Told {
     stay: Vec<Diagnostic>,
 }
 
-fn told(program: &Program, sites: &[CallSite], after: &[CallSite], done: Told, control: &Control) -> Converted {
-    let Told { plans, edits, stay } = done;
-    if plans.is_empty() {
-        return refused(stay);
-    }
-    let mut converted = Converted { edits, findings: stay, calls: plans.len(), ..Converted::default() };
-    let mut indices = Vec::with_capacity(plans.len());
-    for Plan { index, written, .. } in plans {
-        indices.push(index);
-        converted.findings.extend(sites.get(index).and_then(|site| unused(site, &written)));
-        converted.findings.extend(written.findings);
-        if let Some((site, after)) = sites.get(index).zip(after.get(index)) {
-            converted.findings.extend(left_out(program, site));
-            converted.values.extend(compared(program, site, after));
-        }
-    }
-    converted.findings.extend(others(sites, after, &indices, control));
-    converted
+/// Variables that the program still reads: their assignments stay, or the call itself reads them.
+fn read_still(site: &CallSite, written: &Written, stays: &BTreeMap<Name, u32>, style: Style) -> Vec<Diagnostic> {
+    let newer = style == Style::Operate;
+    let names: Vec<String> = stays.iter().map(|(name, line)| format!("{name} ({line})")).collect();
+    let left = if newer { own::CONVERT_READ } else { own::CONVERT_READ.as_note() };
+    let left = (!names.is_empty()).then(|| left.finding().texts("names", &names));
+    let itself = |name: &&Name| site.values.get(name.as_str()).is_some_and(|text| *text == name.as_str());
+    let names: Vec<&str> = written.said.iter().filter(itself).map(|name| name.as_str()).collect();
+    let variable = own::CONVERT_VARIABLE.finding().texts("names", &names);
+    left.into_iter().chain((newer && !names.is_empty()).then_some(variable)).collect()
 }
 
 /// Why no other call style says the same.
@@ -241,23 +303,29 @@ fn explicit(site: &CallSite, control: &Control) -> Typed {
 /// What only the list of the newer control says.
 fn left_out(program: &Program, site: &CallSite) -> Option<Diagnostic> {
     let lost = arguments::only_newer(program, site.newer_list()?, site.span);
-    let names: Vec<String> = lost.iter().map(|(name, text)| format!("{name} = {text}")).collect();
-    (!names.is_empty()).then_some(own::CONVERT_LOST.finding().text("names", names.join(", ")))
+    let lost = lost.iter().map(|(name, text)| format!("{name} = {text}"));
+    let beyond = arguments::beyond(program, site.newer_list()?, site.span);
+    let names: Vec<String> = lost.chain(beyond.map(|(place, text)| format!("{place} = {text}"))).collect();
+    (!names.is_empty()).then_some(own::CONVERT_LOST.finding().texts("names", &names))
 }
 
-/// The assignments that go with the call and say nothing to it: no way of writing has them.
-fn unused(site: &CallSite, written: &Written) -> Option<Diagnostic> {
+/// The values that go with the call and say nothing to it: no other way of writing has them.
+fn unused(site: &CallSite, written: &Written, stays: &BTreeMap<Name, u32>) -> Option<Diagnostic> {
     let told = |name: &Name| written.findings.iter().any(|one| one.message.word("name") == Some(name.as_str()));
-    let goes = |name: &&Name| {
-        let place = site.own_place(name.as_str());
-        let outside = place.is_some_and(|place| place.end <= site.span.start || place.start >= site.span.end);
+    let goes = |name: &Name| {
         let value = site.values.get(name.as_str()).map_or("", String::as_str);
         let nothing = matches!(parse(value), Parsed::Empty | Parsed::Number(0.0));
-        outside && !nothing && site.expression(name.as_str()).is_none() && !written.said.contains(name) && !told(name)
+        let own = site.own_place(name.as_str()).is_some() && site.expression(name.as_str()).is_none();
+        own && !nothing && !written.said.contains(name) && !stays.contains_key(name) && !told(name)
     };
-    let names: Vec<String> =
-        site.places.keys().filter(goes).map(|name| format!("{name}={}", site.values[name.as_str()])).collect();
-    let finding = own::CONVERT_UNUSED.finding().text("cycle", site.cycle.name).text("names", names.join(", "));
+    let called = |name: &Name| {
+        let mut arguments = site.newer_list().into_iter().flat_map(Argument::all);
+        arguments.find(|one| one.param == Some(*name)).map_or(name.as_str(), |one| one.name)
+    };
+    let names = site.places.keys().filter(|name| site.cycle.param(name.as_str()).is_some());
+    let names = names.filter(|name| goes(name));
+    let names: Vec<String> = names.map(|name| format!("{}={}", called(name), site.values[name.as_str()])).collect();
+    let finding = own::CONVERT_UNUSED.finding().text("cycle", site.cycle.name).texts("names", &names);
     (!names.is_empty()).then_some(finding)
 }
 
@@ -266,55 +334,75 @@ fn refused(findings: Vec<Diagnostic>) -> Converted {
     Converted { findings, ..Converted::default() }
 }
 
-fn rewritten(program: &Program, site: &CallSite, written: &Written) -> Vec<Edit> {
-    let text = &written.text;
-    let marks = text.lines().next().and_then(Mark::read).is_some();
-    // an expression that the new text does not need stays where it is, but for one in a `CYCLE_PARA`, which goes whole
-    let goes = |name: &str| {
-        let said = written.said.iter().any(|one| *one == name);
-        let whole = || site.own_place(name).is_some_and(|place| arguments::is_auxiliary(program, place));
-        said || site.expression(name).is_none() || whole()
-    };
-    let own = own_words(program, site, marks, goes);
-    let mut lines: Vec<String> = kept(program, site, &own, &written.said);
-    lines.extend(text.lines().map(str::to_owned));
-    let call = lines.pop().unwrap_or_default();
-    let mut edits: Vec<Edit> = emptied(program, &own, site.line);
-    if let (true, Some((_, place))) = (marks, mark_before(program, site)) {
-        edits.push(without_comment(program, place));
+impl Job<'_> {
+    fn rewritten(&self, site: &CallSite, written: &Written, stays: &BTreeMap<Name, u32>) -> Vec<Edit> {
+        let (program, text) = (self.program, &written.text);
+        let marks = text.lines().next().and_then(Mark::read).is_some();
+        // what others read stays where it is, as does an expression that the new text does not need, but for what is in
+        // a `CYCLE_PARA`, which goes whole
+        let goes = |name: &str| {
+            let said = written.said.iter().any(|one| *one == name);
+            let read = stays.keys().any(|one| *one == name);
+            let whole = || site.own_place(name).is_some_and(|place| arguments::is_auxiliary(program, place));
+            !read && (said || site.expression(name).is_none()) || whole()
+        };
+        let own = own_words(program, site, marks, goes);
+        let mut lines: Vec<String> = self.kept(site, &own, &written.said, stays);
+        lines.extend(text.lines().map(str::to_owned));
+        let call = lines.pop().unwrap_or_default();
+        let mut edits: Vec<Edit> = emptied(program, &own, site.line);
+        if let (true, Some((_, place))) = (marks, mark_before(program, site)) {
+            edits.push(without_comment(program, place));
+        }
+        edits.push(Edit::replace(site.span, call));
+        edits.extend(before(program, site.line, &lines));
+        edits.sort_by_key(|edit| (edit.span.start, edit.span.end));
+        edits
     }
-    edits.push(Edit::replace(site.span, call));
-    if let (Some(block), false) = (program.blocks.get(site.line as usize), lines.is_empty()) {
-        let end = line_end(program, site.line);
-        let at = behind_label(program, site.line).unwrap_or(block.span.start);
-        edits.push(Edit::insert(at, lines.iter().map(|line| format!("{line}{end}")).collect::<String>()));
-    }
-    edits.sort_by_key(|edit| (edit.span.start, edit.span.end));
-    edits
-}
 
-/// What goes with the words of the call, but counts for others or is an expression: it stays as assignments.
-fn kept(program: &Program, site: &CallSite, own: &Lines, said: &[Name]) -> Vec<String> {
-    let mut lines = Vec::new();
-    for word in own.values().flatten().filter(|word| word.called().is_some()) {
-        for (name, place) in AUXILIARY_ARGS.iter().zip(arguments::places(program, word.span)) {
-            let text = program.written(place);
-            if !text.is_empty() && text.parse() != Ok(0.0) && site.cycle.param(name).is_none() {
-                lines.push(format!("{name}={text}"));
+    /// What goes with the words of the call, but counts for others or is an expression: it stays as assignments.
+    fn kept(&self, site: &CallSite, own: &Lines, said: &[Name], stays: &BTreeMap<Name, u32>) -> Vec<String> {
+        let program = self.program;
+        let mut lines = Vec::new();
+        for word in own.values().flatten().filter(|word| word.called().is_some()) {
+            for (name, place) in AUXILIARY_ARGS.iter().zip(arguments::places(program, word.span)) {
+                let text = program.written(place);
+                if !text.is_empty() && text.parse() != Ok(0.0) && site.cycle.param(name).is_none() {
+                    lines.push(format!("{name}={text}"));
+                }
             }
         }
+        let assigned = |name: &Name| self.style == Style::Operate && stays.contains_key(name);
+        let spare = site.places.iter().filter(|(name, place)| {
+            let gone = program.word_at(**place).is_some_and(|word| {
+                word.span == site.span || own.values().flatten().any(|other| other.span == word.span)
+            });
+            gone && (!said.contains(name) || assigned(name))
+        });
+        lines.extend(spare.filter_map(|(name, _)| {
+            let read = || value(program.dialect, site.cycle.param(name)?, site.values.get(name.as_str())?);
+            let text = site.expression(name).map(str::to_owned).or_else(|| read().filter(|_| assigned(name)));
+            Some(format!("{name}={}", text.filter(|text| text != name.as_str())?))
+        }));
+        lines
     }
-    let spare = site.places.iter().filter(|(name, place)| {
-        let gone = program
-            .word_at(**place)
-            .is_some_and(|word| word.span == site.span || own.values().flatten().any(|other| other.span == word.span));
-        gone && !said.contains(name)
+}
+
+/// Lines before that of the call, behind its label; they are skipped as it is.
+fn before(program: &Program, line: u32, lines: &[String]) -> Option<Edit> {
+    let block = program.blocks.get(line as usize).filter(|_| !lines.is_empty())?;
+    let end = line_end(program, line);
+    let digits = |text: &[u8]| text.iter().take_while(|byte| byte.is_ascii_digit()).count();
+    let slash = program.text(block.span).trim_ascii_start().strip_prefix(b"/").filter(|_| block.skip.is_some());
+    let skip = slash.map_or(String::new(), |rest| {
+        format!("/{} ", String::from_utf8_lossy(rest.get(..digits(rest)).unwrap_or_default()))
     });
-    lines.extend(spare.filter_map(|(name, _)| {
-        let text = site.expression(name).filter(|text| text != name)?;
-        Some(format!("{name}={text}"))
-    }));
-    lines
+    Some(match behind_label(program, line) {
+        Some(at) => Edit::insert(at, lines.iter().map(|line| format!("{line}{end}{skip}")).collect::<String>()),
+        None => {
+            Edit::insert(block.span.start, lines.iter().map(|line| format!("{skip}{line}{end}")).collect::<String>())
+        }
+    })
 }
 
 /// Whether two calls have the same values; a datum that was never written holds its delivered value, or 0.

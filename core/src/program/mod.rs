@@ -21,6 +21,7 @@ mod own_words;
 pub mod places;
 pub mod probe_test;
 pub mod r_parameters;
+mod readers;
 pub mod revise;
 pub mod standard;
 pub mod tools;

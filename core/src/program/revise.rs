@@ -93,13 +93,12 @@ impl Revision {
         let read_by_others = others_read(program, (sites, index), &taken, control);
         taken.retain(|name| !read_by_others.contains(name));
         self.steps.extend(without(program, site, &taken));
-        let went = (!taken.is_empty()).then(|| own::REVISE_TAKEN.finding().text("names", taken.join(", ")));
+        let went = (!taken.is_empty()).then(|| own::REVISE_TAKEN.finding().texts("names", &taken));
         let stay = kept.iter().map(|name| {
             let value = site.expression(name).unwrap_or_default();
             own::REVISE_KEPT.finding().text("name", *name).text("value", value)
         });
-        let shared =
-            (!read_by_others.is_empty()).then(|| own::REVISE_SHARED.finding().text("names", read_by_others.join(", ")));
+        let shared = (!read_by_others.is_empty()).then(|| own::REVISE_SHARED.finding().texts("names", &read_by_others));
         self.findings = went.into_iter().chain(stay).chain(shared).collect();
         self.taken = taken;
     }

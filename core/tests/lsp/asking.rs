@@ -322,3 +322,40 @@ fn all_findings_of_a_kind_are_cured_at_once() {
     let none = client.ask("textDocument/codeAction", params);
     assert!(none.as_array().unwrap().is_empty(), "only what was asked for: {none}");
 }
+
+/// Conversions that are offered at a call, by their titles.
+fn conversions(client: &mut Client, text: &str, word: &str) -> Vec<Value> {
+    client.open(URI, text);
+    let actions = client.actions(URI, text, word);
+    actions.into_iter().filter(|action| action["kind"] == "refactor.rewrite").collect()
+}
+
+// oracle: hand (all remarks in words; a conversion that is refused with its reason)
+#[test]
+fn a_conversion_tells_all_that_it_loses_or_why_there_is_none() {
+    let list = "CYCLE977(101,1,,1,50,,,10,5,11,16,20,,,1,\"BOHRER\",2,0.005,0.2,0.1,-0.1,0.34,1,3,,1,1)\nM30\n";
+    let mut client = Client::english();
+    let direct = &conversions(&mut client, list, "CYCLE977")[0];
+    let title = direct["title"].as_str().unwrap();
+    for said in ["assignments and call – ", "S_ID=16", "S_TNAME=BOHRER", "S_EVNUM=3", "S_STA1 = 11"] {
+        assert!(title.contains(said), "{title}");
+    }
+    let tool = "CYCLE977(101,1,2001,1,50,,,10,5)\nM30\n";
+    let mut able = able();
+    able["textDocument"]["codeAction"] = json!({ "disabledSupport": true });
+    let mut other = Client::session(able, "en", Value::Null);
+    let refused = &conversions(&mut other, tool, "CYCLE977")[0];
+    let reason = refused["disabled"]["reason"].as_str().unwrap();
+    assert!(reason.contains("S_KNUM1 = 2001") && refused["edit"].is_null(), "{refused}");
+    // a client without such actions gets the reason as a message
+    let mut plain = Client::english();
+    let refused = &conversions(&mut plain, tool, "CYCLE977")[0];
+    assert!(refused["edit"].is_null() && refused["title"].as_str().unwrap().contains(reason), "{refused}");
+    let command = &refused["command"];
+    let params = json!({ "command": command["command"], "arguments": command["arguments"] });
+    plain.told.clear();
+    plain.ask("workspace/executeCommand", params);
+    let shown = plain.told.iter().find(|one| one["method"] == "window/showMessage").cloned();
+    let shown = shown.unwrap_or_else(|| plain.receive());
+    assert_eq!(shown["params"]["message"].as_str(), Some(reason));
+}

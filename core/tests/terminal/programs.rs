@@ -638,3 +638,66 @@ fn read_and_run_say_what_the_user_runs_around_a_call() {
         assert!(out(&output).contains("CYCLE198 runs before this call, from _M977 (line 2)"), "{}", out(&output));
     }
 }
+
+// oracle: hand (a value that the variant does not use is no value of the call)
+#[test]
+fn write_names_values_that_it_does_not_write() {
+    let values =
+        ["_MVAR=101", "_SETVAL=50", "_KNUM=1", "_FA=8", "_TSA=5", "_ID=-10", "_TZL=0.5", "_EVNUM=3", "_TNAME=X"];
+    for style in ["direct", "operate"] {
+        let asked = ["write", "CYCLE977", "--style", style].into_iter().chain(values);
+        let output = probewright(&asked.collect::<Vec<_>>());
+        assert!(output.status.success(), "{}", err(&output));
+        for name in ["_ID=-10", "_TZL=0.5", "_EVNUM=3", "_TNAME=X"] {
+            assert!(err(&output).contains(name) && err(&output).contains("PW232"), "{style} {name}: {}", err(&output));
+        }
+    }
+    let own =
+        ["write", "CYCLE977", "--style", "operate", "_MVAR=101", "_SETVAL=50", "_KNUM=1", "S_ID=-10", "S_EVNUM=3"];
+    let output = probewright(&own);
+    assert!(out(&output).contains(",-10,") && !err(&output).contains("PW232"), "{} {}", out(&output), err(&output));
+}
+
+// oracle: peer (CamHelper cd6e996 writes 6 as the rotary axis of CYCLE998)
+#[test]
+fn write_takes_the_rotary_axis_that_programs_have() {
+    let values = ["_MVAR=105", "_SETVAL=1", "_MA=102", "_STA1=0", "_ID=40", "_KNUM=1", "_FA=10", "_TSA=5", "S_MD=1"];
+    for (axis, written, noted) in [("6", true, false), ("4", true, true), ("0", true, true), ("7", false, true)] {
+        let axis = format!("_RA={axis}");
+        let asked = ["write", "CYCLE998", "--style", "operate", &axis].into_iter().chain(values);
+        let output = probewright(&asked.collect::<Vec<_>>());
+        assert_eq!(output.status.success(), written, "{axis} {}", err(&output));
+        assert_eq!(err(&output).contains("PW188"), noted, "{axis} {}", err(&output));
+    }
+}
+
+// oracle: hand (elsewhere the file is what it was, byte for byte)
+#[test]
+fn convert_writes_a_program_in_another_style() {
+    let text = b"; Ma\xdf\r\n_MVAR=101 _SETVAL=50 _KNUM=1 _FA=10 _TSA=5 _CORA=1\r\nCYCLE977 ; bore\r\nX=_FA\r\nM30\r\n";
+    let path = file("convert.mpf", text);
+    let output = probewright(&["convert", &path, "--style", "operate"]);
+    assert!(output.status.success(), "{}", err(&output));
+    for said in [":3:1: ", "_CORA=1", "PW221", "_FA (4)"] {
+        assert!(err(&output).contains(said), "{said}: {}", err(&output));
+    }
+    assert!(output.stdout.starts_with(b"; Ma\xdf\r\n_FA=10\r\nCYCLE977(101,1,"));
+    assert!(output.stdout.ends_with(b") ; bore\r\nX=_FA\r\nM30\r\n"));
+    assert_eq!(std::fs::read(&path).unwrap(), text);
+    let same = probewright(&["convert", &path, "--style", "direct"]);
+    assert_eq!((same.status.code(), out(&same).as_str()), (Some(1), ""));
+    let none = probewright(&["convert", &path, "--style", "operate", "--line", "2"]);
+    assert_eq!(none.status.code(), Some(2), "{}", err(&none));
+    let done = probewright(&["convert", &path, "--style", "operate", "--line", "3", "--write"]);
+    assert!(done.status.success() && out(&done).contains("calls converted: 1"), "{}", out(&done));
+    assert_eq!(std::fs::read(&path).unwrap(), output.stdout);
+    let tool = file("tool.mpf", b"CYCLE977(101,1,2001,1,50,,,10,5)\nM30\n");
+    let refused = probewright(&["convert", &tool, "--style", "direct"]);
+    assert_eq!(refused.status.code(), Some(1));
+    assert!(err(&refused).contains("tool.mpf:1:1: error[PW188]"), "{}", err(&refused));
+    let wide: Vec<u8> =
+        [0xff, 0xfe].into_iter().chain("CYCLE978\r\n".encode_utf16().flat_map(u16::to_le_bytes)).collect();
+    let wide = file("wide.mpf", &wide);
+    let unchanged = probewright(&["convert", &wide, "--style", "indirect", "--write"]);
+    assert!(!unchanged.status.success(), "{}", err(&unchanged));
+}

@@ -3,6 +3,7 @@
 
 mod compared;
 mod convert;
+mod elsewhere;
 mod expressions;
 mod generations;
 mod newer;

@@ -254,7 +254,8 @@ fn an_omitted_argument_is_named_as_0() {
 /// Random numbers for arguments: whether one is given, its value.
 pub type Numbers = Vec<(bool, u32)>;
 
-fn numbers() -> impl Strategy<Value = Numbers> {
+/// Forty of them.
+pub fn numbers() -> impl Strategy<Value = Numbers> {
     proptest::collection::vec((any::<bool>(), 1..999_u32), 40)
 }
 

@@ -140,13 +140,25 @@ function worth(
   };
 }
 
-/** A call that is never written anew in its own call style is the one that the program holds. */
-const asHeld = (view: Formed, snippet: string): Formed => ({
-  ...view,
-  snippet,
-  snippetPlaces: {},
-  snippetFindings: [],
-});
+/**
+ * A call that is never written anew in its own call style is the one that the program holds, byte by byte; comments stand
+ * before it.
+ */
+function asHeld(view: Formed, program: string, { from, to, places }: CallView): Formed {
+  const call = view.snippet.lastIndexOf("\n", view.snippet.length - 2) + 1;
+  const comments = view.snippet.slice(0, call);
+  const own = Object.entries(places).filter(([, [start, end]]) => from <= start && end <= to);
+  const shift = comments.length - from;
+  return {
+    ...view,
+    snippet: comments + program.slice(from, to),
+    snippetPlaces: Object.fromEntries(own.map(([name, [start, end]]) => [name, [start + shift, end + shift]])),
+    snippetFindings: [],
+  };
+}
+
+/** Whether such a call has all its values in one bracket, so that the program's text is the whole of it. */
+const inOneCall = ({ style }: CallView): boolean => style === "operate";
 
 const NO_EXPRESSIONS: Record<string, string> = {};
 
@@ -287,8 +299,8 @@ export function createDerive(forms: () => FormCore, catalogue: Catalogue): (stat
       opened?.style,
       cycle.purpose.probe === "log" ? measuredBy(reading.calls) : NOTHING_MEASURED,
     );
-    const unwritten = opened && !asked.snippet && opened.style === (style ?? asked.preset);
-    const view = unwritten ? held(asked, programOf(state).slice(opened.from, opened.to)) : asked;
+    const own = opened?.style === (style ?? asked.preset) ? opened : null;
+    const view = own && (inOneCall(own) || !asked.snippet) ? held(asked, programOf(state), own) : asked;
     const index = opened ? reading.calls.indexOf(opened) : null;
     const blocks = around(
       core,

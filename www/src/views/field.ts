@@ -174,7 +174,7 @@ export function createField(
       setAttribute(input, "data-unit", field.unit || null);
       setAttribute(input, "placeholder", field.fallback === undefined ? null : plain(field.fallback));
       setAttribute(input, "aria-required", String(field.required));
-      if (field.kind === "choice") updateChoice(select, field, field.expression === undefined ? typed : field.value);
+      if (field.kind === "choice") updateChoice(select, field, field.expression === undefined ? text : field.value);
       if (field.kind === "digits")
         keyed(
           groups,

@@ -4,6 +4,7 @@ mod alarms;
 mod braking;
 mod check;
 mod commissioning;
+mod convert;
 mod cycles;
 mod definitions;
 mod document;
@@ -64,6 +65,7 @@ enum Command {
     },
     Check(check::Arguments),
     Write(write::Arguments),
+    Convert(convert::Arguments),
     Read(read::Arguments),
     Run(Box<run::Arguments>),
     Series(series::Arguments),
@@ -121,6 +123,7 @@ fn run_command(command: Command, lang: Option<&str>, words: &Words, out: &mut dy
         Command::Cycles { json } => cycles::cycles(json, words, out),
         Command::Check(asked) => check::check(&asked, words, out),
         Command::Write(asked) => write::write(&asked, words, out),
+        Command::Convert(asked) => convert::convert_file(&asked, words, out),
         Command::Read(asked) => read::read(&asked, words, out),
         Command::Run(asked) => run::run(&asked, words, out),
         Command::Series(asked) => series::series(&asked, words, out),

@@ -14,7 +14,7 @@ use probewright_core::machine::setup::Setup;
 use probewright_core::message::Message;
 use probewright_core::program::around::{self, Block, Lines, absent, blocks, problem};
 use probewright_core::program::lists::without_form;
-use probewright_core::program::write::{is_listed_on, other_generation, snippet};
+use probewright_core::program::write::{is_listed_on, other_generation, snippet, unsaid};
 use probewright_core::words::Words;
 use probewright_core::{catalogue, check};
 use std::collections::BTreeMap;
@@ -65,7 +65,8 @@ pub fn write(asked: &Arguments, words: &Words, out: &mut dyn Write) -> Result<Ex
     let label = |_: &str, key: &str| words.key(key.to_owned());
     let comments = asked.comments.then_some(&label as &dyn Fn(&str, &str) -> String);
     let written = snippet(cycle, &typed, &control, style, comments);
-    let mut findings = checked.diagnostics.iter().chain(&written.findings).chain(&other);
+    let unsaid = unsaid(cycle, &typed, &written);
+    let mut findings = checked.diagnostics.iter().chain(&written.findings).chain(&other).chain(&unsaid);
     for finding in findings.clone() {
         complain(&one_line(finding, words));
     }

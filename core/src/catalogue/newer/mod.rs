@@ -264,6 +264,9 @@ pub const CYCLE997: ArgumentList = list("CYCLE997", NEVER).args(&[
     S_SETV6, S_SETV7, S_SETV8, S_TNVL, S_NMSP, S_MCBIT, DMODE, AMODE,
 ]);
 
+/// The rotary axis of a program on a Hermle (CamHelper cd6e996).
+const ROTARY: (&str, Published) = ("S_RA", Published::Seen(&[6.0]));
+
 /// CYCLE998, of which only one angle with positioning at an angle is known.
 pub const CYCLE998: ArgumentList = list("CYCLE998", When::Variant(&[105]))
     .args(&[
@@ -288,7 +291,7 @@ pub const CYCLE998: ArgumentList = list("CYCLE998", When::Variant(&[105]))
         DMODE,
         AMODE,
     ])
-    .publishing(&[PLANE, MODE, DIRECTIONS, ("S_MA", Published::OneOf(&[102.0, 103.0, 201.0]))]);
+    .publishing(&[PLANE, MODE, DIRECTIONS, ("S_MA", Published::OneOf(&[102.0, 103.0, 201.0])), ROTARY]);
 
 /// CYCLE150 shows the results on a screen and writes the log. Two places of the published list have no name.
 pub const CYCLE150: ArgumentList =

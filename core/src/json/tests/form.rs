@@ -1,7 +1,10 @@
 //! A form: fields, picture, units, the control's own support, the other control.
 
 use super::request;
+use crate::catalogue::CYCLES;
+use crate::catalogue::example::example;
 use crate::dialect::Dialect;
+use crate::entry::{Inputs, Style};
 use crate::json::asked::*;
 use crate::json::*;
 use serde_json::json;
@@ -251,9 +254,62 @@ fn a_cycle_without_list_says_why_it_is_assigned() {
             "data": { "PW-GENERATION": generation } });
         let request = json!({ "control": "sinumerik", "cycle": cycle, "values": {}, "setup": setup });
         let view = form(&request.to_string()).unwrap();
-        view["snippetFindings"].as_array().unwrap().iter().any(|one| one["code"] == "PW231")
+        view["diagnostics"].as_array().unwrap().iter().any(|one| one["code"] == "PW231")
     };
     assert!(told(3, "CYCLE961") && !told(1, "CYCLE961") && !told(3, "CYCLE977") && !told(3, "CYCLE116"));
+    for cycle in CYCLES.iter().filter(|one| one.dialect == Dialect::Sinumerik) {
+        let list = cycle.lists.iter().find(|list| list.style == Style::Operate);
+        assert_eq!(told(3, cycle.name), list.is_some_and(|list| !list.is_written()), "{}", cycle.name);
+    }
+}
+
+// oracle: hand (a form opens with the worked measurement: it is written as it stands, or the form says why not)
+#[test]
+fn a_form_of_a_list_starts_with_values_that_the_list_takes() {
+    let setup =
+        json!({ "control": "sinumerik", "probe": { "radius": 3, "length": 50 }, "data": { "PW-GENERATION": 3 } });
+    for cycle in CYCLES.iter().filter(|one| one.dialect == Dialect::Sinumerik) {
+        let Some(list) = cycle.lists.iter().find(|list| list.style == Style::Operate && list.is_written()) else {
+            continue;
+        };
+        for variant in cycle.variants {
+            let values = example(cycle, variant);
+            let ask = |style: &str| {
+                let request = json!({ "control": "sinumerik", "cycle": cycle.name, "values": values, "setup": setup,
+                    "style": style });
+                form(&request.to_string()).unwrap()
+            };
+            let view = ask("operate");
+            let what = format!("{} {}", cycle.name, variant.number);
+            let errors =
+                view["diagnostics"].as_array().unwrap().iter().filter(|one| one["severity"] == "error").count();
+            assert_eq!(view["complete"], errors == 0, "{what}");
+            assert_eq!(view["snippet"] != "", errors == 0, "{what}: {}", view["diagnostics"]);
+            let inputs = Inputs::new(cycle, variant.number);
+            assert_eq!(errors == 0, list.when.holds(&inputs), "{what}: {}", view["diagnostics"]);
+            let fields = view["fields"].as_array().unwrap();
+            let target = fields.iter().find(|field| field["name"] == "_KNUM").map(|field| field["value"].clone());
+            assert_ne!(target, Some(json!("2001")), "{what}");
+            let said = ask("direct")["diagnostics"].as_array().unwrap().iter().any(|one| one["code"] == "PW197");
+            assert!(said, "{what}: a machine of generation 3 takes no assignments");
+        }
+    }
+}
+
+// oracle: hand (each argument of the program's call, also those that the older control does not use in its variant)
+#[test]
+fn the_text_of_a_call_in_a_list_has_all_its_arguments() {
+    for call in [
+        "CYCLE977(101,10001,,1,50,,,7,5,11,-16,5,,,1,\"BOHRER\",2,0.005,1.01,1.01,-1.01,0.34,3,7,,1,1)",
+        "CYCLE978(100,1,,1,10,10,5,1,2,1,\"T\",2,0.1,1.01,1.01,-1.01,0.34,1,3,,1,1)",
+    ] {
+        let program = crate::syntax::read(Dialect::Sinumerik, format!("{call}\nM30\n").as_bytes());
+        let site = crate::program::calls::calls(&program).remove(0);
+        let request = json!({ "control": "sinumerik", "cycle": site.cycle.name, "values": site.values,
+            "expressions": site.expressions, "written": "operate" });
+        let view = form(&request.to_string()).unwrap();
+        assert_eq!(view["snippet"].as_str().unwrap().trim_end(), call);
+    }
 }
 
 // oracle: hand: the limits are set value plus tolerance; a zero offset is a datum; TNC 320 9/2016 p. 396 for the rest

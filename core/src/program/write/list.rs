@@ -3,6 +3,7 @@
 use super::{Lines, Source, Written, is_expression, value, word};
 use crate::catalogue::newer::arguments::Argument;
 use crate::check::{Parsed, Target, expression, newer, parse, target};
+use crate::control::Plane;
 use crate::diagnostic::Diagnostic;
 use crate::entry::{AUXILIARY, AUXILIARY_ARGS, Arg, ArgumentList, Kind, Param, Style, Typed, names};
 use crate::name::Name;
@@ -78,8 +79,14 @@ fn open_variant<'a>(source: &'a Source) -> Option<&'a str> {
 fn foreign(source: &Source, list: &ArgumentList) -> Option<Diagnostic> {
     let values: Typed = source.values.iter().map(|(param, text)| (param.name.to_string(), text.clone())).collect();
     let foreign = newer::foreign(source.cycle, list, &values, source.control);
-    // a zero offset of newer controls goes there as it is
-    let known = |name: &Name| *name == names::KNUM && source.inputs.given(*name).is_some_and(newer::is_newer_zero);
+    // a zero offset of newer controls goes there as it is, as does a number that their programs have
+    let number = |name: &Name| match parse(values.get(name.as_str())?) {
+        Parsed::Number(number) => Some(number),
+        _ => None,
+    };
+    let published = |name: &Name| number(name).is_some_and(|number| list.publishes(*name, number));
+    let zero = |name: &Name| *name == names::KNUM && source.inputs.given(*name).is_some_and(newer::is_newer_zero);
+    let known = |name: &Name| zero(name) || published(name);
     let name = foreign.into_iter().find(|name| values.contains_key(name.as_str()) && !known(name))?;
     Some(own::WRITE_NEWER.finding().text("param", name).text("value", values.get(name.as_str())?.as_str()).at(name))
 }
@@ -239,8 +246,15 @@ fn to_look_at(source: &Source, list: &'static ArgumentList) -> Vec<Diagnostic> {
     let infeed = infeed.map(|text| own::WRITE_INFEED.finding().text("value", text).at(names::ID));
     let rotary = source.value(&names::RA).filter(|_| list.position(names::RA).is_some());
     let rotary = rotary.map(|text| own::WRITE_ROTARY.finding().text("value", text).at(names::RA));
-    direction.into_iter().chain(infeed).chain(rotary).chain(coarse(source, list)).collect()
+    let plane = source.control.plane;
+    let unknown = plane != Plane::G17 && has(PLANE) && own_value(source, PLANE).is_empty();
+    let plane = || own::WRITE_PLANE.finding().text("plane", format!("{plane:?}")).at(Name::new(PLANE));
+    let plane = unknown.then(plane);
+    direction.into_iter().chain(infeed).chain(rotary).chain(plane).chain(coarse(source, list)).collect()
 }
+
+/// The argument for the plane: every published program has 1 there, and none says in which plane it runs.
+const PLANE: &str = "_DMODE";
 
 /// The number of a settable zero offset whose coarse part the older control corrects by a user datum: in the list that
 /// number means the fine part.

@@ -116,6 +116,30 @@ pub fn snippet_of(
     written
 }
 
+/// The values that were typed and are not in what was written, where nothing else tells: the variant does not use them.
+pub fn unsaid(cycle: &Cycle, typed: &Typed, written: &Written) -> Option<Diagnostic> {
+    let told = |one: &Diagnostic, name: &str| {
+        one.message.word("name") == Some(name) || one.param.is_some_and(|param| param == name)
+    };
+    // an argument that the variant does not use may hold what programs usually write there
+    let at = |name: &str| written.places.iter().find(|(one, _)| **one == name).map(|(_, place)| *place);
+    let text_of = |place: Span| written.text.get(place.start as usize..place.end as usize).unwrap_or_default();
+    let holds = |place: Span, text: &str| {
+        let (there, typed) = (text_of(place), text.trim());
+        let bare = there.rsplit('=').next().unwrap_or(there).trim_matches('"');
+        bare == typed.trim_matches('"') || parse(there) == parse(typed)
+    };
+    let lost = |(name, text): &(&String, &String)| {
+        let said = written.said.iter().any(|one| one.as_str() == name.as_str());
+        let said = said || at(name).is_some_and(|place| holds(place, text));
+        let nothing = matches!(parse(text), Parsed::Empty | Parsed::Number(0.0));
+        !said && !nothing && !written.findings.iter().any(|one| told(one, name))
+    };
+    let names: Vec<String> = typed.iter().filter(lost).map(|(name, text)| format!("{name}={text}")).collect();
+    let finding = own::CONVERT_UNUSED.finding().text("cycle", cycle.name).texts("names", &names);
+    (!written.text.is_empty() && !names.is_empty()).then_some(finding)
+}
+
 impl Written {
     fn put_before(&mut self, lines: &str) {
         self.text.insert_str(0, lines);

@@ -6,7 +6,7 @@ use super::known::{Document, Known};
 use super::settings::Settings;
 use lsp_types::{CodeActionKind, Range, TextEdit};
 use probewright_core::app::{self, Beside, ConvertRequest, CureRequest, Finding};
-use probewright_core::diagnostic::{Diagnostic, Span};
+use probewright_core::diagnostic::{Diagnostic, Severity, Span};
 use probewright_core::entry::{Cycle, Style};
 use probewright_core::message::Message;
 use probewright_core::words::Words;
@@ -23,6 +23,8 @@ pub struct Asked<'a> {
     pub only: Option<Vec<CodeActionKind>>,
     /// Whether edits name the version of the text.
     pub versioned: bool,
+    /// Whether the client shows an action that is not possible, with the reason.
+    pub disabled: bool,
     pub words: &'a Words,
 }
 
@@ -175,20 +177,37 @@ fn converted(asked: &Asked, style: Style, call: Option<usize>) -> Option<Value> 
         (Style::Indirect, None) => "server-every-indirect",
         (Style::Operate, None) => "server-every-operate",
     };
-    let said = |one: &Finding| asked.words.text(&one.message);
-    let mut told: Vec<String> = done.findings.iter().map(said).collect();
-    told.sort();
-    told.dedup();
-    let told = match &told[..] {
-        [] => String::new(),
-        [only] => format!(" – {only}"),
-        // a title of a menu is one line; the remarks stand at the calls of `probewright convert`
-        many => {
-            let number = Message::new("server-remarks").number("number", many.len() as f64);
-            format!(" – {}", asked.words.text(&number))
-        }
-    };
+    let told = remarks(&done.findings, asked.words);
     let edits = asked.placed(&done.edits);
-    let title = asked.words.key(key) + &told;
-    (!edits.is_empty()).then(|| asked.action(title, &CodeActionKind::REFACTOR_REWRITE, &edits))
+    if edits.is_empty() {
+        let why = done.findings.iter().any(|one| one.severity == Severity::Error).then_some(told)?;
+        return Some(refused(asked, asked.words.key(key), &why));
+    }
+    let told = if told.is_empty() { told } else { format!(" – {told}") };
+    Some(asked.action(asked.words.key(key) + &told, &CodeActionKind::REFACTOR_REWRITE, &edits))
 }
+
+/// What is said of a conversion, each sentence once.
+fn remarks(findings: &[Finding], words: &Words) -> String {
+    let mut told: Vec<String> = Vec::new();
+    for one in findings.iter().map(|one| words.text(&one.message)) {
+        if !told.contains(&one) {
+            told.push(one);
+        }
+    }
+    told.join(" ")
+}
+
+/// An action that is not possible, with the reason; a client that has no such actions gets one that tells it.
+fn refused(asked: &Asked, title: String, why: &str) -> Value {
+    let kind = CodeActionKind::REFACTOR_REWRITE;
+    if asked.disabled {
+        return json!({ "title": title, "kind": kind, "disabled": { "reason": why } });
+    }
+    let title = format!("{title} – {why}");
+    let command = json!({ "title": title, "command": TELL, "arguments": [why] });
+    json!({ "title": title, "kind": kind, "command": command })
+}
+
+/// The command that shows why an action is not possible.
+pub const TELL: &str = "probewright.tell";

@@ -9,7 +9,7 @@ use super::{act, complete, diagnose, explain, find, outline, paths};
 use crate::file::{self, Problem};
 use lsp_types::{
     CodeActionParams, DidChangeTextDocumentParams, DidCloseTextDocumentParams, DidOpenTextDocumentParams,
-    DocumentSymbolParams, InitializeParams, Position, PositionEncodingKind, Range, Uri,
+    DocumentSymbolParams, ExecuteCommandParams, InitializeParams, Position, PositionEncodingKind, Range, Uri,
 };
 use probewright_core::diagnostic::Span;
 use probewright_core::message::Message;
@@ -33,6 +33,7 @@ struct Client {
     markdown: bool,
     nested: bool,
     versioned: bool,
+    disabled: bool,
     root: Option<PathBuf>,
 }
 
@@ -57,7 +58,14 @@ type Refused = (Fault, Message);
 impl Server {
     /// A session that has not begun.
     pub fn new(words: Words) -> Server {
-        let client = Client { units: Units::Utf16, markdown: false, nested: false, versioned: false, root: None };
+        let client = Client {
+            units: Units::Utf16,
+            markdown: false,
+            nested: false,
+            versioned: false,
+            disabled: false,
+            root: None,
+        };
         Server {
             stage: Stage::New,
             words,
@@ -117,6 +125,7 @@ impl Server {
             "textDocument/references" => self.places(read(method, params)?, |_, known, at| find::references(known, at)),
             "textDocument/documentSymbol" => self.symbols(read(method, params)?),
             "textDocument/codeAction" => self.actions(read(method, params)?),
+            "workspace/executeCommand" => self.execute(&read(method, params)?),
             _ => Err((Fault::Method, Message::new("server-method").text("name", method))),
         }
     }
@@ -144,6 +153,7 @@ impl Server {
             "definitionProvider": true,
             "referencesProvider": true,
             "documentSymbolProvider": true,
+            "executeCommandProvider": { "commands": [act::TELL] },
             "codeActionProvider": { "codeActionKinds": ["quickfix", "refactor.rewrite"] },
         });
         let about = json!({ "name": "probewright", "version": env!("CARGO_PKG_VERSION") });
@@ -387,9 +397,19 @@ impl Server {
             range: Range::new(asked.range.start, asked.range.end.max(asked.range.start)),
             only: asked.context.only,
             versioned: self.client.versioned,
+            disabled: self.client.disabled,
             words: &self.words,
         };
         Ok(act::actions(&asked).into())
+    }
+
+    /// Shows the reason that an action without effect carries.
+    fn execute(&mut self, asked: &ExecuteCommandParams) -> Result<Value, Refused> {
+        if asked.command != act::TELL {
+            return Err((Fault::Parameters, Message::new("server-method").text("name", &*asked.command)));
+        }
+        self.complain(asked.arguments.first().and_then(Value::as_str).map(str::to_owned));
+        Ok(Value::Null)
     }
 }
 
@@ -425,6 +445,7 @@ fn client(asked: &InitializeParams) -> Client {
         markdown: has("/textDocument/hover/contentFormat", "markdown"),
         nested: is("/textDocument/documentSymbol/hierarchicalDocumentSymbolSupport"),
         versioned: is("/workspace/workspaceEdit/documentChanges"),
+        disabled: is("/textDocument/codeAction/disabledSupport"),
         root,
     }
 }
