@@ -2,26 +2,29 @@
 //! memory that both need; and values read back from them.
 
 use super::Error;
-use super::machine::{MachineView, with_values};
-use super::machine_check::{Exported, ExportedFile, Given};
+use super::machine::{MachineField, MachineView, with_values};
+use super::machine_check::{Exported, ExportedFile, Given, TO_ENTER};
 use super::start::{Machine, start};
 use crate::control::arrays::stem;
 use crate::control::gud::{self, Block, Gud};
-use crate::control::needs::{GUD_MEMORY, GUD_MEMORY_SOURCE, GUD_VALUES, NEEDS, Use};
-use crate::control::{Control, GENERATION, Value, delivery_in, setting_data as data};
+use crate::control::needs::{GUD_MEMORY, GUD_MEMORY_SOURCE, GUD_VALUES, NEEDS, Test, Use};
+use crate::control::{
+    BASIC_SYSTEM, CALIBRATED, Control, GENERATION, UNITS_OF_CHANNEL, UNITS_OF_CONTROL, Units, Value, delivery_in,
+    setting_data as data,
+};
 use crate::diagnostic::Severity;
 use crate::dialect::Dialect;
 use crate::entry::Typed;
 use crate::manual::Cited;
 use crate::message::Message;
 use crate::program::write::definition_files::{
-    CALIBRATED, FILES, bytes, counter, is_sized, lines, size, sized, values,
+    FILES, MEMORIES, TOOL_PROBES, as_delivered, as_written, bytes, counter, elements, is_sized, lines, size, sized, values,
 };
 use crate::program::write::setting_data;
 use crate::refused::Path;
 use crate::syntax::definitions::definitions as definitions_of;
 use serde::{Deserialize, Serialize};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 /// A machine, and how many channels measure on it.
@@ -102,15 +105,16 @@ pub fn definitions(asked: DefinitionsRequest) -> Result<DefinitionsView, Error> 
         return Err(Error::new("definitions-channels", Path::of(&["channels"])).number("most", f64::from(CHANNELS)));
     }
     let control = start(Dialect::Sinumerik, asked.setup)?.setup.control;
-    let delivered = delivery_in(Dialect::Sinumerik, control.basic_units);
     let jog = asked.jog.unwrap_or(true);
     let saved = |name: &str| SAVED.iter().find(|(of, _)| *of == name).map_or("", |(_, saved)| saved);
     let text = |name, text| DefinitionsText { name, saved: saved(name), text };
     let mut files = Vec::new();
     let (mut sizes, mut least) = (Vec::new(), Vec::new());
     if control.has_setting_data() {
+        let delivered = delivery_in(Dialect::Sinumerik, control.basic_units);
         files.push(text(SETTINGS, setting_data::lines(&control, &delivered)));
     } else {
+        let (control, delivered) = (as_written(&control), as_delivered(&control));
         // definition files of user data are of the first generation
         let wanted = FILES.iter().filter(|file| jog || file.block != Block::Gud7);
         files.extend(wanted.map(|file| text(file.name, lines(file, &control, &delivered))));
@@ -119,7 +123,21 @@ pub fn definitions(asked: DefinitionsRequest) -> Result<DefinitionsView, Error> 
         least = needs(&sizes, channels, jog);
     }
     files.retain(|file| !file.text.is_empty());
-    Ok(DefinitionsView { notes: notes(&files, channels), files, memory: sizes, needs: least })
+    let mut notes = notes(&files, channels);
+    if jog {
+        notes.extend(to_enter(&control));
+    }
+    Ok(DefinitionsView { notes, files, memory: sizes, needs: least })
+}
+
+/// That sizes of tool probes are still to be entered before measuring in JOG (B:14294-14296, 61230).
+fn to_enter(control: &Control) -> Option<Message> {
+    if control.has_setting_data() || control.number(TOOL_PROBES) < 1.0 {
+        return None;
+    }
+    let names = TO_ENTER.iter().filter_map(|name| gud::find(name)).flat_map(|gud| elements(control, gud));
+    let missing: Vec<String> = names.filter(|name| control.number(name) == 0.0).collect();
+    (!missing.is_empty()).then(|| Message::new("definitions-enter").text("names", missing.join(", ")))
 }
 
 /// The program of value assignments.
@@ -185,7 +203,8 @@ fn needs(memory: &[MemoryShare], channels: u32, jog: bool) -> Vec<MemoryNeed> {
     let each = each + if jog { of_jog } else { 0.0 } + more(true);
     let values = (control + more(false) + channels * each).ceil();
     let of_need = |number: &'static str| {
-        let limits = NEEDS.iter().filter(|need| need.number == number).flat_map(|need| need.limits);
+        let least = NEEDS.iter().filter(|need| need.number == number && need.test == Test::AtLeast);
+        let limits = least.flat_map(|need| need.limits);
         let counts = limits.filter(|limit| limit.severity == Severity::Error && (jog || limit.of != Use::Jog));
         let largest = counts.max_by(|one, other| one.value.total_cmp(&other.value))?;
         Some(MemoryNeed { number, value: largest.value, source: Cited(largest.source) })
@@ -237,14 +256,19 @@ pub fn read_back(asked: ReadBackRequest) -> Result<ReadBack, Error> {
     for (file, one) in asked.files.iter().enumerate() {
         given.add(file, &one.text);
     }
-    // where the definition leaves it at 0, calibration is still to come, as on the machine without these files
-    let later = |name: &str, one: &Given| one.defined && stem(name) == CALIBRATED && one.value == Value::Number(0.0);
+    // where the definition leaves it at 0, calibration is still to come, as on the machine without these files; what is
+    // in the memories belongs to the user
+    let of_use = |name: &str| stem(name) == CALIBRATED || MEMORIES.contains(&stem(name));
+    let later = |name: &str, one: &Given| one.defined && of_use(name) && one.value == Value::Number(0.0);
     let of_first = given.data.keys().filter(|(_, channel)| *channel < 2);
     let of_first = of_first.filter_map(|(name, _)| Some((name, given.get(name, 1)?)));
     let own = of_first.filter(|(name, one)| !later(name, one));
     let mut typed: Typed = own.map(|(name, one)| (name.clone(), text(&one.value))).collect();
     typed.extend(counts(&given, &typed));
-    let before = with_values(asked.setup.clone(), &[])?;
+    let told: BTreeSet<String> = typed.keys().cloned().collect();
+    typed.extend(behind_lists(&given, later));
+    let basic = basic(&given);
+    let before = with_values(asked.setup.clone(), None, &[])?;
     let is_newer = typed.keys().any(|name| data::find(stem(name)).is_some());
     let mut control = start(Dialect::Sinumerik, asked.setup.clone())?.setup.control;
     let was_newer = control.has_setting_data();
@@ -257,19 +281,21 @@ pub fn read_back(asked: ReadBackRequest) -> Result<ReadBack, Error> {
     if becomes_newer {
         times.push(typed.clone());
     }
-    let machine = with_values(asked.setup, &times)?;
+    let machine = with_values(asked.setup, basic, &times)?;
+    control.basic_units = machine.basic;
     for (name, value) in &machine.data {
         control.data.insert(name.clone(), value.clone());
     }
     let (definitions, sizes) = kept(&given, &control);
     let there: BTreeSet<&str> =
         machine.groups.iter().flat_map(|group| &group.fields).map(|field| field.setting.name.as_str()).collect();
-    let of_files = || typed.keys().filter(|name| !becomes_newer || *name != GENERATION);
-    let read = of_files().filter(|name| there.contains(name.as_str())).count();
+    let of_files = |name: &&String| !becomes_newer || *name != GENERATION;
+    let read = told.iter().filter(|name| there.contains(name.as_str())).count();
     if read == 0 && given.sizes.is_empty() {
         return Err(Error::new("machine-check-nothing", Path::default()));
     }
-    let changed = of_files().filter(|name| before.data.get(*name) != machine.data.get(*name)).count();
+    let (had, has) = (shown(&before), shown(&machine));
+    let changed = typed.keys().filter(of_files).filter(|name| had.get(name.as_str()) != has.get(name.as_str())).count();
     let ending = Message::new(if becomes_newer { "definitions-read-newer" } else { "definitions-read" })
         .number("read", read as f64)
         .number("changed", changed as f64)
@@ -277,13 +303,42 @@ pub fn read_back(asked: ReadBackRequest) -> Result<ReadBack, Error> {
     Ok(ReadBack { read, changed, definitions, sizes, ending, machine })
 }
 
+/// The basic system of the control that wrote the files: MD 10240 says it, else the switches that follow it, which say
+/// in which system the data stand (B:13594-13598, B:14059-14061). None: nothing says it, or one against the other.
+fn basic(given: &Exported) -> Option<Units> {
+    let of = |name: &str| given.number(name, 1).map(|metric| if metric == 0.0 { Units::Inch } else { Units::Metric });
+    let switches = [UNITS_OF_CONTROL, UNITS_OF_CHANNEL].map(of);
+    of(BASIC_SYSTEM).or(match switches {
+        [Some(one), Some(other)] if one != other => None,
+        [one, other] => one.or(other),
+    })
+}
+
+/// Elements that a list leaves at 0, of the first channel.
+fn behind_lists(given: &Exported, later: impl Fn(&str, &Given) -> bool) -> Typed {
+    let number = |one: &Given| matches!(one.value, Value::Number(_));
+    let all = given.behind_lists().filter(|(name, channel, one)| *channel < 2 && number(one) && !later(name, one));
+    all.filter(|(name, ..)| !given.data.contains_key(&(name.clone(), 1)))
+        .map(|(name, _, one)| (name, text(&one.value)))
+        .collect()
+}
+
+/// The data of a machine as they count, by name.
+fn shown(machine: &MachineView) -> BTreeMap<&str, String> {
+    let fields = machine.groups.iter().flat_map(|group| &group.fields);
+    let value = |field: &MachineField| if field.value.is_empty() { &field.fallback } else { &field.value }.clone();
+    fields.map(|field| (field.setting.name.as_str(), value(field))).collect()
+}
+
 /// The data that count the fields of arrays, where only the sizes of these are given: `_EV[40]` is `_EVMVNUM[0]` = 40.
 fn counts(given: &Exported, typed: &Typed) -> Typed {
-    let of_array = |(name, (sizes, _)): (&String, &(Vec<usize>, _))| {
+    let defined = given.sizes.iter().filter_map(|(name, (sizes, _))| Some((name, *sizes.first()?)));
+    let all = defined.chain(given.removed.keys().map(|name| (name, 0)));
+    let of_array = |(name, size): (&String, usize)| {
         let counter = counter(gud::find(name)?).filter(|counter| !typed.contains_key(*counter))?;
-        Some((counter.to_owned(), sizes.first()?.to_string()))
+        Some((counter.to_owned(), size.to_string()))
     };
-    given.sizes.iter().filter_map(of_array).collect()
+    all.filter_map(of_array).collect()
 }
 
 /// The lines of a machine with the sizes of arrays that files give, and the arrays that these are, in words. A size
@@ -363,7 +418,7 @@ mod tests {
             "_CVAL[0]": 1, "_CVAL[1]": 5, "_EVMVNUM[0]": 30, "_TP[0,6]": 20, "_WP[4,0]": 5.9, "_CBIT[14]": 1,
             "_SPEED[0]": 80, "_PROTNAME[1]": "LOG1", "E_MESS_FM": 400, "_DIGIT": 4
         });
-        let before = with_values(own(data.clone()), &[]).unwrap().data;
+        let before = with_values(own(data.clone()), None, &[]).unwrap().data;
         let written = view(data, 1, true).files;
         assert_eq!(written.len(), 4);
         let files =
@@ -425,7 +480,7 @@ mod tests {
         let data = json!({
             "PW-GENERATION": 3, "MD51600": 5, "SD54600[0]": 5.9, "SD54600[4]": 3.5, "SD55634": 700, "SD54740": 5
         });
-        let before = with_values(own(data.clone()), &[]).unwrap();
+        let before = with_values(own(data.clone()), None, &[]).unwrap();
         let written = view(data, 1, true);
         let [file] = &written.files[..] else { panic!("{:?}", written.files) };
         assert_eq!(

@@ -56,6 +56,14 @@ pub fn missing(given: &Exported) -> Vec<String> {
     braking::DATA.into_iter().filter(|number| !there(number)).map(identified).collect()
 }
 
+/// That no feed is held against the deflection, because the files do not say how an axis stops.
+pub fn unchecked(given: &Exported) -> Option<MachineFault> {
+    let all = missing(given);
+    let first = braking::DATA.into_iter().find(|number| all.contains(&identified(number)))?;
+    let message = Message::new("machine-check-no-axis").text("data", all.join(", "));
+    Some(MachineFault::new(Severity::Warning, first, message, "B:1149-1161;A:1095-1115"))
+}
+
 /// Data of axes that no axis has: no braking path follows from them.
 pub fn impossible(given: &Exported, files: &Files) -> Vec<MachineFault> {
     let of_axis = |name: &str| braking::DATA.contains(&arrays::stem(name));
