@@ -18,7 +18,8 @@ use crate::entry::Typed;
 use crate::manual::Cited;
 use crate::message::Message;
 use crate::program::write::definition_files::{
-    FILES, MEMORIES, TOOL_PROBES, as_delivered, as_written, bytes, counter, elements, is_sized, lines, size, sized, values,
+    FILES, MEMORIES, TOOL_PROBES, as_delivered, as_written, bytes, counter, elements, is_sized, lines, size, sized,
+    values,
 };
 use crate::program::write::setting_data;
 use crate::refused::Path;
@@ -294,8 +295,10 @@ pub fn read_back(asked: ReadBackRequest) -> Result<ReadBack, Error> {
     if read == 0 && given.sizes.is_empty() {
         return Err(Error::new("machine-check-nothing", Path::default()));
     }
-    let (had, has) = (shown(&before), shown(&machine));
-    let changed = typed.keys().filter(of_files).filter(|name| had.get(name.as_str()) != has.get(name.as_str())).count();
+    let (had, has, rebuilt) = (shown(&before), shown(&machine), before.basic != machine.basic);
+    let differs =
+        |name: &str| before.data.get(name) != machine.data.get(name) || rebuilt && had.get(name) != has.get(name);
+    let changed = typed.keys().filter(of_files).filter(|name| differs(name)).count();
     let ending = Message::new(if becomes_newer { "definitions-read-newer" } else { "definitions-read" })
         .number("read", read as f64)
         .number("changed", changed as f64)
@@ -380,7 +383,10 @@ fn text(value: &Value) -> String {
 mod tests {
     #![allow(clippy::unwrap_used, clippy::panic)]
     use super::*;
+    use crate::app::machine_check::{MachineCheckRequest, machine_check};
     use crate::app::start::Machine;
+    use crate::form::machine::{Entry, Setting};
+    use proptest::prelude::*;
     use serde_json::json;
 
     fn own(data: serde_json::Value) -> Option<Machine> {
@@ -431,6 +437,159 @@ mod tests {
         assert!(read_back(ReadBackRequest { setup: None, files: vec![nothing] }).is_err());
     }
 
+    fn files(view: DefinitionsView) -> Vec<ExportedFile> {
+        view.files.into_iter().map(|one| ExportedFile { name: one.saved.to_owned(), text: one.text }).collect()
+    }
+
+    /// A value that a field of the form takes.
+    fn allowed(setting: &Setting, seed: u32) -> serde_json::Value {
+        let range = setting.range;
+        let within = |value: f64| {
+            if range.contains(value) {
+                value
+            } else if range.contains(1.0) {
+                1.0
+            } else {
+                range.max
+            }
+        };
+        match setting.entry {
+            Entry::Choice { choices } => json!(choices[seed as usize % choices.len()]),
+            Entry::Integer => json!(within(f64::from(seed))),
+            Entry::Real => json!(within(f64::from(seed) / 8.0)),
+            Entry::Text => json!(format!("T{seed}")),
+        }
+    }
+
+    /// What files are to prevent: arrays and counts that differ, erasing, converting.
+    const PREVENTED: [&str; 7] = ["count", "no-array", "fields", "units", "erases", "ratios", "unread"];
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(24))]
+        // oracle: self (a machine of any sizes, units, switches and values: its files give it back, and the check of
+        // a machine finds nothing in them that they are to prevent)
+        #[test]
+        fn any_machine_is_written_and_read_back(
+            counts in prop::collection::vec(0_u32..9, 4),
+            memories in prop::collection::vec(1_u32..40, 2),
+            inch in any::<bool>(),
+            chosen in prop::collection::vec((any::<prop::sample::Index>(), 0_u32..2000), 0..25),
+        ) {
+            let basic = if inch { "inch" } else { "mm" };
+            let machine = |data: &serde_json::Value| -> Machine {
+                serde_json::from_value(json!({ "own": { "basic": basic, "data": data } })).unwrap()
+            };
+            let mut data = json!({ "_EVMVNUM[0]": memories[0], "_EVMVNUM[1]": memories[1] });
+            for (at, count) in counts.iter().enumerate() {
+                data[format!("_CVAL[{at}]")] = json!(count);
+            }
+            let form = with_values(Some(machine(&data)), None, &[]).unwrap();
+            let control = start(Dialect::Sinumerik, Some(machine(&data))).unwrap().setup.control;
+            let of_files = |name: &str| {
+                let kept = ["_CVAL", "_EVMVNUM", "_EV", "_MV"].contains(&stem(name));
+                let system = [UNITS_OF_CONTROL, UNITS_OF_CHANNEL, "_CBIT[13]"].contains(&name);
+                // arrays of measuring in JOG have an element for each tool probe
+                let there = gud::named(name).is_some_and(|gud| elements(&control, gud).iter().any(|one| one == name));
+                there && !kept && !system
+            };
+            let fields = form.groups.iter().flat_map(|group| &group.fields).map(|field| &field.setting);
+            let fields: Vec<&Setting> = fields.filter(|setting| of_files(&setting.name)).collect();
+            for (index, seed) in chosen {
+                let setting = index.get(&fields);
+                data[&setting.name] = allowed(setting, seed);
+            }
+            let before = with_values(Some(machine(&data)), None, &[]).unwrap();
+            let asked = DefinitionsRequest { setup: Some(machine(&data)), ..DefinitionsRequest::default() };
+            let mut files = files(definitions(asked).unwrap());
+            if files.is_empty() {
+                prop_assert!(before.data.is_empty());
+                return Ok(());
+            }
+            let back = read_back(ReadBackRequest { setup: None, files: files.clone() }).unwrap();
+            prop_assert_eq!((back.machine.basic, &back.machine.problems), (before.basic, &vec![]));
+            prop_assert_eq!(&back.machine.data, &before.data, "{:#?}", files);
+            let metric = format!("MD10240={}", u8::from(!inch));
+            files.push(ExportedFile { name: "PW.TEA".to_owned(), text: metric });
+            let (without, large, deflection) = (Vec::new(), false, None);
+            let view = machine_check(MachineCheckRequest { files, without, large, deflection }).unwrap();
+            for fault in view.faults {
+                let key = fault.message.key.trim_start_matches("machine-check-").to_owned();
+                let own = data.get(&fault.name).and_then(serde_json::Value::as_f64) == Some(0.0);
+                prop_assert!(!PREVENTED.contains(&&key[..]) && (key != "depth" || own), "{:?}", fault);
+            }
+        }
+    }
+
+    // oracle: manual B:12920-12927 (7, at most 9)
+    #[test]
+    fn what_is_needed_is_the_least() {
+        let view = view(json!({}), 1, true);
+        let needs: Vec<(&str, f64)> = view.needs.iter().map(|need| (need.number, need.value)).collect();
+        assert_eq!(needs, [("MD18118", 7.0), ("MD18120", 20.0), ("MD18130", 90.0), ("MD18150", 12.0)]);
+    }
+
+    // oracle: manual B:13279, B:13240 (what is delivered for each probe), A:15891 (61349 without a depth)
+    #[test]
+    fn more_probes_have_what_is_delivered_for_each() {
+        let files = files(view(json!({ "_CVAL[0]": 5, "_CVAL[1]": 5, "_CVAL[3]": 4 }), 1, true));
+        let all: String = files.iter().map(|file| file.text.as_str()).collect();
+        for text in ["_TP[4,7]=133 _TP[4,8]=0 _TP[4,9]=2", "_TPW[3,7]=133", "_MC_MTL[5]=(33.3,33.3,33.3,33.3,33.3)"] {
+            assert!(all.contains(text), "{text}\n{all}");
+        }
+    }
+
+    // oracle: manual B:14294-14296 (these have to be entered, one for each tool probe)
+    #[test]
+    fn sizes_that_are_to_be_entered_are_named() {
+        let names = |data, jog| {
+            let notes = view(data, 1, jog).notes;
+            let note = notes.into_iter().find(|note| note.key == "definitions-enter");
+            note.map(|note| note.word("names").unwrap().to_owned())
+        };
+        let two = names(json!({ "_CVAL[0]": 2, "E_MESS_MT_DL[0]": 20 }), true);
+        assert_eq!(two.as_deref(), Some("E_MESS_MT_DL[1], E_MESS_MT_DR[0], E_MESS_MT_DR[1]"));
+        assert_eq!(names(json!({ "_CVAL[0]": 2 }), false), None);
+        let all = json!({ "_CVAL[0]": 1, "E_MESS_MT_DL[0]": 20, "E_MESS_MT_DR[0]": 20 });
+        assert_eq!(names(all, true), None);
+    }
+
+    // oracle: manual B:13594-13598, B:14059-14061 (MD10240 is the system, the switches say in which the data stand)
+    #[test]
+    fn an_export_in_inch_makes_a_machine_in_inch() {
+        for text in [
+            "N10240 $MN_SCALING_SYSTEM_IS_METRIC=0\n_CBIT[3]=0\nCHANDATA(1)\n_CHBIT[24]=0\n_SPEED[1]=40",
+            "CHANDATA(1)\n_SPEED[1]=40\n_CHBIT[24]=0\n_CBIT[3]=0",
+            "_SPEED[1]=40\nMD10240=0",
+        ] {
+            let file = ExportedFile { name: "INITIAL.INI".to_owned(), text: text.to_owned() };
+            let back = read_back(ReadBackRequest { setup: None, files: vec![file] }).unwrap();
+            assert_eq!((back.machine.basic, back.machine.problems), (Units::Inch, vec![]), "{text}");
+            assert_eq!(back.machine.data, [("_SPEED[1]".to_owned(), Value::Number(40.0))].into(), "{text}");
+            assert_eq!(back.changed, back.read, "{text}");
+        }
+        let other = json!({ "own": { "basic": "mm", "data": { "MD10240": 0 } } });
+        let request = DefinitionsRequest { setup: Some(serde_json::from_value(other).unwrap()), ..Default::default() };
+        assert_eq!(definitions(request).unwrap_err().message.key, "setup-basic");
+    }
+
+    // oracle: manual B:13278-13282 (a comment takes an array away), B:14228-14234 (behind a list 0 stands)
+    #[test]
+    fn short_lists_and_comments_are_read_as_a_control_has_them() {
+        let text = "N10 DEF NCK INT _CVAL[4]=(2,2)\n;N13 DEF NCK REAL _KB[1,7]\nDEF NCK BOOL _CBIT[17]=(0,1)\n\
+                    DEF NCK REAL _MFS[6]\n";
+        let set = json!({ "data": { "_MFS[3]": 8 } });
+        let (back, _) = read_and_written(text, set);
+        for (name, value) in
+            [("_CVAL[2]", 0.0), ("_CVAL[3]", 0.0), ("_CBIT[3]", 0.0), ("_CBIT[8]", 0.0), ("_CBIT[16]", 0.0)]
+        {
+            let own = back.machine.data.get(name);
+            assert!(own == Some(&Value::Number(value)) || own.is_none() && name == "_CBIT[3]", "{name} {own:?}");
+        }
+        assert_eq!(back.machine.data.get("_MFS[3]"), None);
+        let (back, _) = read_and_written(";N111 DEF NCK REAL _TPW[3,10]\n_DIGIT=4", json!({}));
+        assert_eq!(back.machine.data.get("_CVAL[3]"), Some(&Value::Number(0.0)));
+    }
+
     /// The machine that reads these lines, and what it writes then.
     fn read_and_written(text: &str, had: serde_json::Value) -> (ReadBack, Vec<String>) {
         let setup = || Some(serde_json::from_value(json!({ "own": had })).unwrap());
@@ -468,7 +627,7 @@ mod tests {
         let (back, lines) = read_and_written("DEF NCK BOOL _CBIT[16]\n", had.clone());
         assert_eq!(back.definitions, ["DEF NCK REAL LIMIT[2]", "DEF NCK BOOL _CBIT[16]"]);
         assert!(lines.iter().any(|line| line.starts_with("DEF NCK BOOL _CBIT[16]")), "{lines:?}");
-        let (back, lines) = read_and_written("DEF NCK BOOL _CBIT[30]\n", had);
+        let (back, lines) = read_and_written("DEF NCK BOOL _CBIT[30]=(0,0,0,1,0,0,0,0,1,0,0,0,0,0,0,0,1)\n", had);
         assert_eq!(back.definitions, ["DEF NCK REAL LIMIT[2]"]);
         assert!(lines.iter().all(|line| !line.contains("_CBIT")), "{lines:?}");
     }

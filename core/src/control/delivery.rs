@@ -112,7 +112,8 @@ pub const CALIBRATED: &str = "_WP";
 /// What the fields of a control have that are more than delivered: what each is delivered with (B:13279), but for what
 /// calibration writes.
 pub fn more_fields(control: &Control, units: Units) -> BTreeMap<String, Value> {
-    let counted = |gud: &&gud::Gud| gud.of_machine() && gud.name != CALIBRATED && control.data.given(gud.counted).is_some();
+    let counted =
+        |gud: &&gud::Gud| gud.of_machine() && gud.name != CALIBRATED && control.data.given(gud.counted).is_some();
     let mut more = BTreeMap::new();
     for gud in gud::all().filter(counted) {
         let fields = control.number(gud.counted).max(0.0) as usize;

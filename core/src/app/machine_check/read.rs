@@ -4,8 +4,8 @@
 //! read; what no check asks for is counted.
 
 use super::words::{Scan, Token};
-use crate::control::machine_data::{MACHINE_DATA, MachineDatum};
 use crate::control::gud::Gud;
+use crate::control::machine_data::{MACHINE_DATA, MachineDatum};
 use crate::control::{Value, arrays, gud, setting_data};
 use std::collections::BTreeMap;
 
@@ -88,7 +88,15 @@ impl Exported {
             if let Some(name) = removed(text) {
                 self.remove(name, place);
             }
-            Line { to: self, place, channel: &mut channel, number: None, spelled: String::new(), scan: Scan::new(text) }.read();
+            Line {
+                to: self,
+                place,
+                channel: &mut channel,
+                number: None,
+                spelled: String::new(),
+                scan: Scan::new(text),
+            }
+            .read();
         }
     }
 
@@ -437,7 +445,8 @@ mod tests {
         assert!(!read.sizes.contains_key("_KB"));
         assert_eq!((read.number("_CVAL[1]", 0), read.number("_CVAL[2]", 0)), (Some(2.0), Some(0.0)));
         assert_eq!((read.number("_TP[0,7]", 0), read.number("_TP[1,7]", 0)), (Some(133.0), Some(0.0)));
-        assert_eq!((read.number("_TP[2,7]", 0), read.number("_WP[0,1]", 0)), (None, None));
+        assert_eq!((read.number("_TP[2,7]", 0), read.number("_WP[0,1]", 0)), (None, Some(0.0)));
+        assert_eq!(read.removed.keys().collect::<Vec<_>>(), ["_KB"]);
         assert_eq!(read.number("_EVMVNUM[1]", 0), Some(10.0));
         let set = self::read("DEF CHAN INT _JM_I[10] = SET(0,1,,17)\nDEF CHAN REAL _MC_MTL[3]=(33.3,33.3,33.3)");
         assert_eq!((set.number("_JM_I[1]", 0), set.number("_JM_I[2]", 0)), (Some(1.0), None));

@@ -2,9 +2,9 @@
 
 use super::fault::{Files, MachineFault};
 use super::read::{Exported, shown};
+use crate::control::delivery::factor;
 use crate::control::gud::{Element, Gud, Initial};
 use crate::control::needs::Use;
-use crate::control::delivery::factor;
 use crate::control::{BASIC_SYSTEM, Units, Value, gud};
 use crate::diagnostic::Severity;
 use crate::message::Message;

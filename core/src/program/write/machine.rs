@@ -157,7 +157,7 @@ mod tests {
         let text = definitions(&control, &delivered);
         // oracle: manual B:13278-13283 (the example; its list goes on with the second probe here)
         for line in [
-            "DEF NCK INT _CVAL[4]=(2,2)",
+            "DEF NCK INT _CVAL[4]=(2,2,0,0)",
             "DEF NCK REAL _TP[2,10]=(0,0,0,0,0,0,0,133,0,2,0,0,0,0,0,0,0,133,0,2)",
             ";DEF NCK REAL _KB not present",
             "DEF CHAN INT _EVMVNUM[2]=(10,10)",
