@@ -309,7 +309,10 @@ pub fn read_back(asked: ReadBackRequest) -> Result<ReadBack, Error> {
 /// The basic system of the control that wrote the files: MD 10240 says it, else the switches that follow it, which say
 /// in which system the data stand (B:13594-13598, B:14059-14061). None: nothing says it, or one against the other.
 fn basic(given: &Exported) -> Option<Units> {
-    let of = |name: &str| given.number(name, 1).map(|metric| if metric == 0.0 { Units::Inch } else { Units::Metric });
+    // what a list leaves out says nothing of units
+    let said = |name: &str| [1, 0].iter().find_map(|channel| given.data.get(&(name.to_owned(), *channel)));
+    let system = |one: &Given| if one.value == Value::Number(0.0) { Units::Inch } else { Units::Metric };
+    let of = |name: &str| said(name).map(system);
     let switches = [UNITS_OF_CONTROL, UNITS_OF_CHANNEL].map(of);
     of(BASIC_SYSTEM).or(match switches {
         [Some(one), Some(other)] if one != other => None,
@@ -579,12 +582,10 @@ mod tests {
                     DEF NCK REAL _MFS[6]\n";
         let set = json!({ "data": { "_MFS[3]": 8 } });
         let (back, _) = read_and_written(text, set);
-        for (name, value) in
-            [("_CVAL[2]", 0.0), ("_CVAL[3]", 0.0), ("_CBIT[3]", 0.0), ("_CBIT[8]", 0.0), ("_CBIT[16]", 0.0)]
-        {
-            let own = back.machine.data.get(name);
-            assert!(own == Some(&Value::Number(value)) || own.is_none() && name == "_CBIT[3]", "{name} {own:?}");
+        for name in ["_CVAL[2]", "_CVAL[3]", "_CBIT[3]", "_CBIT[8]", "_CBIT[16]"] {
+            assert_eq!(back.machine.data.get(name), Some(&Value::Number(0.0)), "{name}");
         }
+        assert_eq!(back.machine.basic, Units::Metric);
         assert_eq!(back.machine.data.get("_MFS[3]"), None);
         let (back, _) = read_and_written(";N111 DEF NCK REAL _TPW[3,10]\n_DIGIT=4", json!({}));
         assert_eq!(back.machine.data.get("_CVAL[3]"), Some(&Value::Number(0.0)));
