@@ -539,12 +539,12 @@ fn definition_files_are_read_and_written() {
     assert_eq!(done.status.code(), Some(0), "{}", err(&done));
     let lines = std::fs::read_to_string(folder.join("lines/GUD6-lines.txt")).unwrap();
     assert!(
-        lines.starts_with("N10 DEF NCK INT _CVAL[4]=(2,2)\n") && lines.contains(";N13 DEF NCK REAL _KB"),
+        lines.starts_with("N10 DEF NCK INT _CVAL[4]=(2,2,0,0)\n") && lines.contains(";N13 DEF NCK REAL _KB"),
         "{lines}"
     );
     assert!(out(&done).contains("MD18150") && out(&done).contains("_TP[2,10]"), "{}", out(&done));
     let again = probewright(&["definitions", "--setup", &saved]);
-    assert!(out(&again).contains("N10 DEF NCK INT _CVAL[4]=(2,2)"), "{}", out(&again));
+    assert!(out(&again).contains("N10 DEF NCK INT _CVAL[4]=(2,2,0,0)"), "{}", out(&again));
     std::fs::write(folder.join("x.mpf"), "G0 X1\n").unwrap();
     assert_eq!(probewright(&["definitions", &path("x.mpf")]).status.code(), Some(2)); // no datum of a machine
     // without a machine the core's own begins, and what is saved is one: of a newer control, with the lines read
