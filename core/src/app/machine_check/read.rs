@@ -237,8 +237,7 @@ impl Line<'_> {
                     self.spelled.clear();
                     self.to.removed.remove(&name);
                     self.to.sizes.insert(name.clone(), (sizes.clone(), self.place));
-                    let values = self.scan.assigns().then(|| self.scan.values());
-                    let values = values.map_or_else(|| Some(Vec::new()), |values| values);
+                    let values = if self.scan.assigns() { self.scan.values() } else { Some(Vec::new()) };
                     if let Some(values) = values {
                         self.list(found, &sizes, values.len());
                         self.fill(&Datum { name, sizes, channel: found.channel }, &values, true);
