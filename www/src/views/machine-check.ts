@@ -172,7 +172,9 @@ export function openMachineCheck(core: () => ProgramCore | null, end: AbortSigna
     };
     return html`<li>
       ${file.name}
-      <button type="button" class="quiet" title=${label} aria-label=${label} @click=${remove}>${iconPart("close")}</button>
+      <button type="button" class="quiet" title=${label} aria-label=${label} @click=${remove}
+        >${iconPart("close")}</button
+      >
     </li>`;
   };
   function later(): void {

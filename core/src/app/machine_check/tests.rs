@@ -189,7 +189,8 @@ fn a_missing_geometry_axis_gets_its_own_number() {
     for (text, changes) in [
         (
             "MD20050=(0,0,0)",
-            "N20050 $MC_AXCONF_GEOAX_ASSIGN_TAB[0]=1\nN20050 $MC_AXCONF_GEOAX_ASSIGN_TAB[1]=2\nN20050 $MC_AXCONF_GEOAX_ASSIGN_TAB[2]=3\n",
+            "N20050 $MC_AXCONF_GEOAX_ASSIGN_TAB[0]=1\nN20050 $MC_AXCONF_GEOAX_ASSIGN_TAB[1]=2\n\
+             N20050 $MC_AXCONF_GEOAX_ASSIGN_TAB[2]=3\n",
         ),
         ("MD20050=(1,0,0)", "N20050 $MC_AXCONF_GEOAX_ASSIGN_TAB[1]=2\nN20050 $MC_AXCONF_GEOAX_ASSIGN_TAB[2]=3\n"),
         ("MD20050=(1,0,2)", ""),
@@ -358,7 +359,8 @@ proptest! {
             let need = &NEEDS[at];
             let index = if need.by_place { format!("[{index}]") } else { String::new() };
             let name = format!("{}{index}", need.number);
-            let name = if exported { format!("N{} $MX_OF_THE_EXPORT{index}", &need.number[2..]) } else { spelled(&name) };
+            let number = &need.number[2..];
+            let name = if exported { format!("N{number} $MX_OF_THE_EXPORT{index}") } else { spelled(&name) };
             let value = if need.by_place { value % 4 } else { value };
             text += &format!("CHANDATA({channel})\n{name}={}\n", written(need.number, f64::from(value)));
         }
