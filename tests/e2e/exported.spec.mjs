@@ -72,6 +72,12 @@ describe("the check of a machine", () => {
       return data;
     });
     await shown.dispatchEvent("drop", { dataTransfer: data });
+    // another file comes to the first, which is read on until it is removed
+    const removing = shown.getByRole("button", { name: /^Remove / });
+    await removing.nth(1).waitFor();
+    await shown.getByText("Nothing is missing in the data that were compared.").waitFor();
+    await shown.getByRole("button", { name: "Remove JOG.TEA" }).click();
+    await counts(removing, 1);
     await shown.getByRole("alert").filter({ hasText: "Nothing in this text" }).waitFor();
     await counts(shown.locator(".exported-fault"), 0);
     await page.keyboard.press("Escape");

@@ -5,6 +5,7 @@ machine-check-ending = Verglichene Daten: { $read }. Fehler: { $errors }. Warnun
 machine-check-unread = Der Wert ist nicht lesbar: { $value }
 machine-check-unlike = Die Nummer { $value } gehört zu einem anderen Datum: Die Steuerung liest den Bezeichner.
 machine-check-positive = { $value } ist nicht möglich: Der Wert muss über 0 liegen. Damit wird kein Bremsweg berechnet.
+machine-check-no-axis = Ohne { $data } wird kein Vorschub mit der zulässigen Auslenkung verglichen.
 machine-check-twice = Zweimal mit verschiedenen Werten vorhanden: { $before }, dann { $value }. Der letzte gilt.
 machine-check-low = { $value } ist zu klein; mindestens { $limit }.
 machine-check-high = { $value } ist zu groß; höchstens { $limit }.
@@ -17,6 +18,7 @@ machine-check-from = { $value } ist zu klein; mindestens { $min }.
 machine-check-above = { $value } ist zu klein; der Wert muss über { $min } liegen.
 machine-check-choice = { $value } ist nicht zulässig; zulässig: { $choices }.
 machine-check-count = Das Feld { $array } ist mit { $size } Elementen definiert.
+machine-check-no-array = Das Feld { $array } gibt es nicht: seine Definition ist ein Kommentar.
 machine-check-fields = Jedes Element dieses Felds hat { $size } Daten; die Definition hat eine andere Anzahl.
 machine-check-units = Das Grundsystem ist { "MD10240" } = { $metric }: die Zyklen rechnen die Daten beim nächsten Aufruf um.
 machine-check-needs = Ohne { $other } = { $value } wirkungslos.
@@ -39,6 +41,7 @@ machine-check-ratios = { $size } Einträge für { $probes } Werkstückmesstaster
 machine-check-braking = Bei { $feed } wird der Messtaster bis zu { $path } mm ausgelenkt, zulässig sind { $deflection } mm; höchstens { $largest }.
 
 machine-need-gud = Die Definitionsdateien GUD5, GUD6 und GUD7 lassen sich nicht aktivieren. Eine Änderung des Speichers löst Alarm 4400 aus: Serieninbetriebnahme sichern und wieder einlesen.
+machine-need-reserve = Für die Messzyklen allein genug; das Handbuch empfiehlt mehr.
 machine-need-functions = Die Steuerung kennt nicht alle Zyklen mit Parametern.
 machine-need-lud = Die lokalen Variablen der Zyklen haben keinen Platz: das Programm hält am Aufruf an.
 machine-need-system-frame = Kein Messzyklus läuft.
@@ -71,6 +74,7 @@ definitions-need = { $number } mindestens { $value } allein für die Messzyklen,
 definitions-insert = In den ausgelieferten { $files } die Zeilen gleichen Namens ersetzen: Diese Zeilen sind nicht die ganze Datei.
 definitions-save = Vorher die im NC aktiven Anwenderdaten sichern: Das Aktivieren einer Definitionsdatei setzt ihre Werte zurück. GUD5 aktivieren, dann GUD6, dann GUD7_MC, danach NC-Reset und die Anwenderdaten zurückladen.
 definitions-older = Bis zu den Messzyklen 6.02.16 gehören die Zeilen von GUD7_MC.DEF in die GUD7.DEF.
+definitions-enter = Vor dem Messen in JOG die Maße jedes Werkzeugmesstasters eingeben, sonst folgt Alarm 61230: { $names }
 definitions-program = { $channels ->
     [one] Danach { $name } laden und einmal in AUTOMATIK starten.
    *[other] Danach { $name } laden und in jedem messenden Kanal einmal in AUTOMATIK starten: Viele Daten sind kanalspezifisch.

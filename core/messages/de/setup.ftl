@@ -53,6 +53,7 @@ setup-vary = { $path }: „{ $name }“ gibt es an dieser Maschine nicht, es kan
 setup-frame = { $path }: Es gibt kein Frame „{ $name }“.
 setup-units = { $path }: „{ $name }“ ist keine G-Funktion für Maßeinheiten.
 setup-datum-range = { $path }: { $value } ist nicht möglich. Eine ganze Zahl von { $min } bis { $max } eingeben.
+setup-basic = { $path } = { $value }, aber die Maschine rechnet in { $units }. Beides gleich eintragen.
 setup-clock = { $path }: „{ $text }“ ist kein Datum mit Uhrzeit; erwartetes Format: 2026-05-31T08:00:00.
 setup-datum = { $path }: Die Variable „{ $name }“ gibt es nicht, oder sie hat einen anderen Typ.
 setup-definition = { $path }: keine Definition von Anwenderdaten: { $text }

@@ -5,6 +5,7 @@ machine-check-ending = Data compared: { $read }. Errors: { $errors }. Warnings: 
 machine-check-unread = The value cannot be read: { $value }
 machine-check-unlike = The number { $value } is that of another datum: the control reads the identifier.
 machine-check-positive = { $value } is not possible: the value must be above 0. No braking path is calculated with it.
+machine-check-no-axis = Without { $data } no feed is held against the permitted deflection.
 machine-check-twice = Given twice with different values: { $before }, then { $value }. The last one counts.
 machine-check-low = { $value } is too low; at least { $limit }.
 machine-check-high = { $value } is too high; at most { $limit }.
@@ -17,6 +18,7 @@ machine-check-from = { $value } is too low; at least { $min }.
 machine-check-above = { $value } is too low; it must be above { $min }.
 machine-check-choice = { $value } is not permitted; permitted: { $choices }.
 machine-check-count = The array { $array } is defined with { $size } elements.
+machine-check-no-array = The array { $array } does not exist: its definition is a comment.
 machine-check-fields = Each element of this array has { $size } data; the definition has a different number.
 machine-check-units = The basic system is { "MD10240" } = { $metric }: the cycles convert the data at the next call.
 machine-check-needs = No effect without { $other } = { $value }.
@@ -39,6 +41,7 @@ machine-check-ratios = { $size } entries for { $probes } workpiece probes: for t
 machine-check-braking = At { $feed }, the probe is deflected by up to { $path } mm, but it allows { $deflection } mm; at most { $largest }.
 
 machine-need-gud = The definition files GUD5, GUD6 and GUD7 cannot be activated. A change of the memory raises alarm 4400: save and read back a series archive.
+machine-need-reserve = Enough for the measuring cycles alone; the manual recommends more.
 machine-need-functions = The control does not know all cycles that have parameters.
 machine-need-lud = The local variables of the cycles do not fit: the program stops at the call.
 machine-need-system-frame = No measuring cycle runs.
@@ -71,6 +74,7 @@ definitions-need = { $number } at least { $value } for the measuring cycles alon
 definitions-insert = Replace the lines of the same names in the original { $files }: these lines are not the whole file.
 definitions-save = First save the user data that are active in the NC: activating a definition file resets their values. Activate GUD5, then GUD6, then GUD7_MC, then NC reset, then read the user data back in.
 definitions-older = Up to measuring cycles 6.02.16 the lines of GUD7_MC.DEF belong to GUD7.DEF.
+definitions-enter = Before measuring in JOG, enter the sizes of each tool probe; otherwise alarm 61230 follows: { $names }
 definitions-program = { $channels ->
     [one] Then load { $name } and run it once in AUTOMATIC.
    *[other] Then load { $name } and run it once in AUTOMATIC in each channel that measures: many of the data belong to the channel.

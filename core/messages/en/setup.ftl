@@ -53,6 +53,7 @@ setup-vary = { $path }: “{ $name }” is nothing that can vary on this machine
 setup-frame = { $path }: frame “{ $name }” does not exist.
 setup-units = { $path }: “{ $name }” is not a G function for units.
 setup-datum-range = { $path }: { $value } is not possible. Enter a whole number from { $min } to { $max }.
+setup-basic = { $path } = { $value }, but the machine is in { $units }. Make both the same.
 setup-clock = { $path }: “{ $text }” is not a date with time; expected format: 2026-05-31T08:00:00.
 setup-datum = { $path }: data item “{ $name }” does not exist, or has another type.
 setup-definition = { $path }: not a definition of user data: { $text }

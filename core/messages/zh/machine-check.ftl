@@ -5,6 +5,7 @@ machine-check-ending = 已比较的数据：{ $read }。错误：{ $errors }。�
 machine-check-unread = 无法读取该值：{ $value }
 machine-check-unlike = 编号 { $value } 属于另一个数据：控制系统读取标识符。
 machine-check-positive = { $value } 无效：该值必须大于 0，不用它计算制动距离。
+machine-check-no-axis = 缺少 { $data }，不将进给率与允许偏转量比较。
 machine-check-twice = 两次给出不同的值：先为 { $before }，后为 { $value }。以最后一个为准。
 machine-check-low = { $value } 太小；至少为 { $limit }。
 machine-check-high = { $value } 太大；最大为 { $limit }。
@@ -17,6 +18,7 @@ machine-check-from = { $value } 太小；至少为 { $min }。
 machine-check-above = { $value } 太小；必须大于 { $min }。
 machine-check-choice = 不允许 { $value }；允许：{ $choices }。
 machine-check-count = 数组 { $array } 定义为 { $size } 个元素。
+machine-check-no-array = 数组 { $array } 不存在：其定义已成为注释。
 machine-check-fields = 此数组的每个元素有 { $size } 个数据；定义中的个数不同。
 machine-check-units = 基本尺寸系统为 { "MD10240" } = { $metric }：循环在下次调用时换算数据。
 machine-check-needs = 没有 { $other } = { $value } 时不起作用。
@@ -39,6 +41,7 @@ machine-check-ratios = { $probes } 个工件测头只有 { $size } 个条目：�
 machine-check-braking = 进给率为 { $feed } 时，测头偏转可达 { $path } mm，而允许值为 { $deflection } mm；最大为 { $largest }。
 
 machine-need-gud = 无法激活定义文件 GUD5、GUD6 和 GUD7。更改存储器会触发报警 4400：请保存批量调试存档并重新读入。
+machine-need-reserve = 仅供测量循环已足够；手册建议更大的值。
 machine-need-functions = 控制系统不能识别所有带参数的循环。
 machine-need-lud = 循环的局部变量容纳不下：程序在调用处停止。
 machine-need-system-frame = 任何测量循环都不能运行。
@@ -71,6 +74,7 @@ definitions-need = 仅测量循环就要求 { $number } 至少为 { $value }，{
 definitions-insert = 在出厂的 { $files } 中替换同名的行：这些行不是完整的文件。
 definitions-save = 请先保存 NC 中有效的用户数据：激活定义文件会复位其数值。依次激活 GUD5、GUD6、GUD7_MC，然后 NC 复位，再读回用户数据。
 definitions-older = 测量循环 6.02.16 及以下版本，GUD7_MC.DEF 的行属于 GUD7.DEF。
+definitions-enter = 在 JOG 方式下测量前，请输入每个刀具测头的尺寸，否则出现报警 61230：{ $names }
 definitions-program = 然后装载 { $name }，在进行测量的通道（{ $channels } 个）中以自动方式各运行一次：许多数据属于通道。之后校准测头。
 definitions-read = 读入 { $read } 个数值，其中 { $changed } 个有改动，{ $problems } 个未被接受。
 definitions-sizes = 随机床保存的数组大小：{ $names }。

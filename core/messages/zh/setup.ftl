@@ -53,6 +53,7 @@ setup-vary = { $path }：这台机床上没有可变动的“{ $name }”。
 setup-frame = { $path }：没有坐标框架“{ $name }”。
 setup-units = { $path }：“{ $name }”不是单位制 G 功能。
 setup-datum-range = { $path }：{ $value } 无效。请输入 { $min } 到 { $max } 的整数。
+setup-basic = { $path } = { $value }，但机床单位为 { $units }。请使两者一致。
 setup-clock = { $path }：“{ $text }”不是日期和时间；格式应为 2026-05-31T08:00:00。
 setup-datum = { $path }：没有数据“{ $name }”，或类型不符。
 setup-definition = { $path }：不是用户数据的定义：{ $text }

@@ -34,7 +34,7 @@ impl Change {
         let basic = control.basic_units;
         let (factor, unit) = match is_angle(&name) {
             true => (1.0, "deg"),
-            false if is_factor(&name) => (1.0, ""),
+            false if is_factor(&name) || gud::named(&name).is_some() && !run::is_length(&name) => (1.0, ""),
             false => (basic.factor(), basic.name()),
         };
         Change { label: label(control, &name), before: before / factor, after: after / factor, unit, name }

@@ -2,26 +2,30 @@
 //! memory that both need; and values read back from them.
 
 use super::Error;
-use super::machine::{MachineView, with_values};
-use super::machine_check::{Exported, ExportedFile, Given};
+use super::machine::{MachineField, MachineView, with_values};
+use super::machine_check::{Exported, ExportedFile, Given, TO_ENTER};
 use super::start::{Machine, start};
 use crate::control::arrays::stem;
 use crate::control::gud::{self, Block, Gud};
-use crate::control::needs::{GUD_MEMORY, GUD_MEMORY_SOURCE, GUD_VALUES, NEEDS, Use};
-use crate::control::{Control, GENERATION, Value, delivery_in, setting_data as data};
+use crate::control::needs::{GUD_MEMORY, GUD_MEMORY_SOURCE, GUD_VALUES, NEEDS, Test, Use};
+use crate::control::{
+    BASIC_SYSTEM, CALIBRATED, Control, GENERATION, UNITS_OF_CHANNEL, UNITS_OF_CONTROL, Units, Value, delivery_in,
+    setting_data as data,
+};
 use crate::diagnostic::Severity;
 use crate::dialect::Dialect;
 use crate::entry::Typed;
 use crate::manual::Cited;
 use crate::message::Message;
 use crate::program::write::definition_files::{
-    CALIBRATED, FILES, bytes, counter, is_sized, lines, size, sized, values,
+    FILES, MEMORIES, TOOL_PROBES, as_delivered, as_written, bytes, counter, elements, is_sized, lines, size, sized,
+    values,
 };
 use crate::program::write::setting_data;
 use crate::refused::Path;
 use crate::syntax::definitions::definitions as definitions_of;
 use serde::{Deserialize, Serialize};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 /// A machine, and how many channels measure on it.
@@ -102,15 +106,16 @@ pub fn definitions(asked: DefinitionsRequest) -> Result<DefinitionsView, Error> 
         return Err(Error::new("definitions-channels", Path::of(&["channels"])).number("most", f64::from(CHANNELS)));
     }
     let control = start(Dialect::Sinumerik, asked.setup)?.setup.control;
-    let delivered = delivery_in(Dialect::Sinumerik, control.basic_units);
     let jog = asked.jog.unwrap_or(true);
     let saved = |name: &str| SAVED.iter().find(|(of, _)| *of == name).map_or("", |(_, saved)| saved);
     let text = |name, text| DefinitionsText { name, saved: saved(name), text };
     let mut files = Vec::new();
     let (mut sizes, mut least) = (Vec::new(), Vec::new());
     if control.has_setting_data() {
+        let delivered = delivery_in(Dialect::Sinumerik, control.basic_units);
         files.push(text(SETTINGS, setting_data::lines(&control, &delivered)));
     } else {
+        let (control, delivered) = (as_written(&control), as_delivered(&control));
         // definition files of user data are of the first generation
         let wanted = FILES.iter().filter(|file| jog || file.block != Block::Gud7);
         files.extend(wanted.map(|file| text(file.name, lines(file, &control, &delivered))));
@@ -119,7 +124,21 @@ pub fn definitions(asked: DefinitionsRequest) -> Result<DefinitionsView, Error> 
         least = needs(&sizes, channels, jog);
     }
     files.retain(|file| !file.text.is_empty());
-    Ok(DefinitionsView { notes: notes(&files, channels), files, memory: sizes, needs: least })
+    let mut notes = notes(&files, channels);
+    if jog {
+        notes.extend(to_enter(&control));
+    }
+    Ok(DefinitionsView { notes, files, memory: sizes, needs: least })
+}
+
+/// That sizes of tool probes are still to be entered before measuring in JOG (B:14294-14296, 61230).
+fn to_enter(control: &Control) -> Option<Message> {
+    if control.has_setting_data() || control.number(TOOL_PROBES) < 1.0 {
+        return None;
+    }
+    let names = TO_ENTER.iter().filter_map(|name| gud::find(name)).flat_map(|gud| elements(control, gud));
+    let missing: Vec<String> = names.filter(|name| control.number(name) == 0.0).collect();
+    (!missing.is_empty()).then(|| Message::new("definitions-enter").text("names", missing.join(", ")))
 }
 
 /// The program of value assignments.
@@ -185,7 +204,8 @@ fn needs(memory: &[MemoryShare], channels: u32, jog: bool) -> Vec<MemoryNeed> {
     let each = each + if jog { of_jog } else { 0.0 } + more(true);
     let values = (control + more(false) + channels * each).ceil();
     let of_need = |number: &'static str| {
-        let limits = NEEDS.iter().filter(|need| need.number == number).flat_map(|need| need.limits);
+        let least = NEEDS.iter().filter(|need| need.number == number && need.test == Test::AtLeast);
+        let limits = least.flat_map(|need| need.limits);
         let counts = limits.filter(|limit| limit.severity == Severity::Error && (jog || limit.of != Use::Jog));
         let largest = counts.max_by(|one, other| one.value.total_cmp(&other.value))?;
         Some(MemoryNeed { number, value: largest.value, source: Cited(largest.source) })
@@ -237,14 +257,19 @@ pub fn read_back(asked: ReadBackRequest) -> Result<ReadBack, Error> {
     for (file, one) in asked.files.iter().enumerate() {
         given.add(file, &one.text);
     }
-    // where the definition leaves it at 0, calibration is still to come, as on the machine without these files
-    let later = |name: &str, one: &Given| one.defined && stem(name) == CALIBRATED && one.value == Value::Number(0.0);
+    // where the definition leaves it at 0, calibration is still to come, as on the machine without these files; what is
+    // in the memories belongs to the user
+    let of_use = |name: &str| stem(name) == CALIBRATED || MEMORIES.contains(&stem(name));
+    let later = |name: &str, one: &Given| one.defined && of_use(name) && one.value == Value::Number(0.0);
     let of_first = given.data.keys().filter(|(_, channel)| *channel < 2);
     let of_first = of_first.filter_map(|(name, _)| Some((name, given.get(name, 1)?)));
     let own = of_first.filter(|(name, one)| !later(name, one));
     let mut typed: Typed = own.map(|(name, one)| (name.clone(), text(&one.value))).collect();
     typed.extend(counts(&given, &typed));
-    let before = with_values(asked.setup.clone(), &[])?;
+    let told: BTreeSet<String> = typed.keys().cloned().collect();
+    typed.extend(behind_lists(&given, later));
+    let basic = basic(&given);
+    let before = with_values(asked.setup.clone(), None, &[])?;
     let is_newer = typed.keys().any(|name| data::find(stem(name)).is_some());
     let mut control = start(Dialect::Sinumerik, asked.setup.clone())?.setup.control;
     let was_newer = control.has_setting_data();
@@ -257,19 +282,23 @@ pub fn read_back(asked: ReadBackRequest) -> Result<ReadBack, Error> {
     if becomes_newer {
         times.push(typed.clone());
     }
-    let machine = with_values(asked.setup, &times)?;
+    let machine = with_values(asked.setup, basic, &times)?;
+    control.basic_units = machine.basic;
     for (name, value) in &machine.data {
         control.data.insert(name.clone(), value.clone());
     }
     let (definitions, sizes) = kept(&given, &control);
     let there: BTreeSet<&str> =
         machine.groups.iter().flat_map(|group| &group.fields).map(|field| field.setting.name.as_str()).collect();
-    let of_files = || typed.keys().filter(|name| !becomes_newer || *name != GENERATION);
-    let read = of_files().filter(|name| there.contains(name.as_str())).count();
+    let of_files = |name: &&String| !becomes_newer || *name != GENERATION;
+    let read = told.iter().filter(|name| there.contains(name.as_str())).count();
     if read == 0 && given.sizes.is_empty() {
         return Err(Error::new("machine-check-nothing", Path::default()));
     }
-    let changed = of_files().filter(|name| before.data.get(*name) != machine.data.get(*name)).count();
+    let (had, has, rebuilt) = (shown(&before), shown(&machine), before.basic != machine.basic);
+    let differs =
+        |name: &str| before.data.get(name) != machine.data.get(name) || rebuilt && had.get(name) != has.get(name);
+    let changed = typed.keys().filter(of_files).filter(|name| differs(name)).count();
     let ending = Message::new(if becomes_newer { "definitions-read-newer" } else { "definitions-read" })
         .number("read", read as f64)
         .number("changed", changed as f64)
@@ -277,13 +306,45 @@ pub fn read_back(asked: ReadBackRequest) -> Result<ReadBack, Error> {
     Ok(ReadBack { read, changed, definitions, sizes, ending, machine })
 }
 
+/// The basic system of the control that wrote the files: MD 10240 says it, else the switches that follow it, which say
+/// in which system the data stand (B:13594-13598, B:14059-14061). None: nothing says it, or one against the other.
+fn basic(given: &Exported) -> Option<Units> {
+    // what a list leaves out says nothing of units
+    let said = |name: &str| [1, 0].iter().find_map(|channel| given.data.get(&(name.to_owned(), *channel)));
+    let system = |one: &Given| if one.value == Value::Number(0.0) { Units::Inch } else { Units::Metric };
+    let of = |name: &str| said(name).map(system);
+    let switches = [UNITS_OF_CONTROL, UNITS_OF_CHANNEL].map(of);
+    of(BASIC_SYSTEM).or(match switches {
+        [Some(one), Some(other)] if one != other => None,
+        [one, other] => one.or(other),
+    })
+}
+
+/// Elements that a list leaves at 0, of the first channel.
+fn behind_lists(given: &Exported, later: impl Fn(&str, &Given) -> bool) -> Typed {
+    let number = |one: &Given| matches!(one.value, Value::Number(_));
+    let all = given.behind_lists().filter(|(name, channel, one)| *channel < 2 && number(one) && !later(name, one));
+    all.filter(|(name, ..)| !given.data.contains_key(&(name.clone(), 1)))
+        .map(|(name, _, one)| (name, text(&one.value)))
+        .collect()
+}
+
+/// The data of a machine as they count, by name.
+fn shown(machine: &MachineView) -> BTreeMap<&str, String> {
+    let fields = machine.groups.iter().flat_map(|group| &group.fields);
+    let value = |field: &MachineField| if field.value.is_empty() { &field.fallback } else { &field.value }.clone();
+    fields.map(|field| (field.setting.name.as_str(), value(field))).collect()
+}
+
 /// The data that count the fields of arrays, where only the sizes of these are given: `_EV[40]` is `_EVMVNUM[0]` = 40.
 fn counts(given: &Exported, typed: &Typed) -> Typed {
-    let of_array = |(name, (sizes, _)): (&String, &(Vec<usize>, _))| {
+    let defined = given.sizes.iter().filter_map(|(name, (sizes, _))| Some((name, *sizes.first()?)));
+    let all = defined.chain(given.removed.keys().map(|name| (name, 0)));
+    let of_array = |(name, size): (&String, usize)| {
         let counter = counter(gud::find(name)?).filter(|counter| !typed.contains_key(*counter))?;
-        Some((counter.to_owned(), sizes.first()?.to_string()))
+        Some((counter.to_owned(), size.to_string()))
     };
-    given.sizes.iter().filter_map(of_array).collect()
+    all.filter_map(of_array).collect()
 }
 
 /// The lines of a machine with the sizes of arrays that files give, and the arrays that these are, in words. A size
@@ -325,7 +386,10 @@ fn text(value: &Value) -> String {
 mod tests {
     #![allow(clippy::unwrap_used, clippy::panic)]
     use super::*;
+    use crate::app::machine_check::{MachineCheckRequest, machine_check};
     use crate::app::start::Machine;
+    use crate::form::machine::{Entry, Setting};
+    use proptest::prelude::*;
     use serde_json::json;
 
     fn own(data: serde_json::Value) -> Option<Machine> {
@@ -363,7 +427,7 @@ mod tests {
             "_CVAL[0]": 1, "_CVAL[1]": 5, "_EVMVNUM[0]": 30, "_TP[0,6]": 20, "_WP[4,0]": 5.9, "_CBIT[14]": 1,
             "_SPEED[0]": 80, "_PROTNAME[1]": "LOG1", "E_MESS_FM": 400, "_DIGIT": 4
         });
-        let before = with_values(own(data.clone()), &[]).unwrap().data;
+        let before = with_values(own(data.clone()), None, &[]).unwrap().data;
         let written = view(data, 1, true).files;
         assert_eq!(written.len(), 4);
         let files =
@@ -374,6 +438,157 @@ mod tests {
         assert_eq!(back.changed, before.len());
         let nothing = ExportedFile { name: "x".to_owned(), text: "G0 X1".to_owned() };
         assert!(read_back(ReadBackRequest { setup: None, files: vec![nothing] }).is_err());
+    }
+
+    fn files(view: DefinitionsView) -> Vec<ExportedFile> {
+        view.files.into_iter().map(|one| ExportedFile { name: one.saved.to_owned(), text: one.text }).collect()
+    }
+
+    /// A value that a field of the form takes.
+    fn allowed(setting: &Setting, seed: u32) -> serde_json::Value {
+        let range = setting.range;
+        let within = |value: f64| {
+            if range.contains(value) {
+                value
+            } else if range.contains(1.0) {
+                1.0
+            } else {
+                range.max
+            }
+        };
+        match setting.entry {
+            Entry::Choice { choices } => json!(choices[seed as usize % choices.len()]),
+            Entry::Integer => json!(within(f64::from(seed))),
+            Entry::Real => json!(within(f64::from(seed) / 8.0)),
+            Entry::Text => json!(format!("T{seed}")),
+        }
+    }
+
+    /// What files are to prevent: arrays and counts that differ, erasing, converting.
+    const PREVENTED: [&str; 7] = ["count", "no-array", "fields", "units", "erases", "ratios", "unread"];
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(24))]
+        // oracle: self (a machine of any sizes, units, switches and values: its files give it back, and the check of
+        // a machine finds nothing in them that they are to prevent)
+        #[test]
+        fn any_machine_is_written_and_read_back(
+            counts in prop::collection::vec(0_u32..9, 4),
+            memories in prop::collection::vec(1_u32..40, 2),
+            inch in any::<bool>(),
+            chosen in prop::collection::vec((any::<prop::sample::Index>(), 0_u32..2000), 0..25),
+        ) {
+            let basic = if inch { "inch" } else { "mm" };
+            let machine = |data: &serde_json::Value| -> Machine {
+                serde_json::from_value(json!({ "own": { "basic": basic, "data": data } })).unwrap()
+            };
+            let mut data = json!({ "_EVMVNUM[0]": memories[0], "_EVMVNUM[1]": memories[1] });
+            for (at, count) in counts.iter().enumerate() {
+                data[format!("_CVAL[{at}]")] = json!(count);
+            }
+            let form = with_values(Some(machine(&data)), None, &[]).unwrap();
+            let control = start(Dialect::Sinumerik, Some(machine(&data))).unwrap().setup.control;
+            let of_files = |name: &str| {
+                let kept = ["_CVAL", "_EVMVNUM", "_EV", "_MV"].contains(&stem(name));
+                let system = [UNITS_OF_CONTROL, UNITS_OF_CHANNEL, "_CBIT[13]"].contains(&name);
+                // arrays of measuring in JOG have an element for each tool probe
+                let there = gud::named(name).is_some_and(|gud| elements(&control, gud).iter().any(|one| one == name));
+                there && !kept && !system
+            };
+            let fields = form.groups.iter().flat_map(|group| &group.fields).map(|field| &field.setting);
+            let fields: Vec<&Setting> = fields.filter(|setting| of_files(&setting.name)).collect();
+            for (index, seed) in chosen {
+                let setting = index.get(&fields);
+                data[&setting.name] = allowed(setting, seed);
+            }
+            let before = with_values(Some(machine(&data)), None, &[]).unwrap();
+            let asked = DefinitionsRequest { setup: Some(machine(&data)), ..DefinitionsRequest::default() };
+            let mut files = files(definitions(asked).unwrap());
+            if files.is_empty() {
+                prop_assert!(before.data.is_empty());
+                return Ok(());
+            }
+            let back = read_back(ReadBackRequest { setup: None, files: files.clone() }).unwrap();
+            prop_assert_eq!((back.machine.basic, &back.machine.problems), (before.basic, &vec![]));
+            prop_assert_eq!(&back.machine.data, &before.data, "{:#?}", files);
+            let metric = format!("MD10240={}", u8::from(!inch));
+            files.push(ExportedFile { name: "PW.TEA".to_owned(), text: metric });
+            let (without, large, deflection) = (Vec::new(), false, None);
+            let view = machine_check(MachineCheckRequest { files, without, large, deflection }).unwrap();
+            for fault in view.faults {
+                let key = fault.message.key.trim_start_matches("machine-check-").to_owned();
+                let own = data.get(&fault.name).and_then(serde_json::Value::as_f64) == Some(0.0);
+                prop_assert!(!PREVENTED.contains(&&key[..]) && (key != "depth" || own), "{:?}", fault);
+            }
+        }
+    }
+
+    // oracle: manual B:12920-12927 (7, at most 9)
+    #[test]
+    fn what_is_needed_is_the_least() {
+        let view = view(json!({}), 1, true);
+        let needs: Vec<(&str, f64)> = view.needs.iter().map(|need| (need.number, need.value)).collect();
+        assert_eq!(needs, [("MD18118", 7.0), ("MD18120", 20.0), ("MD18130", 90.0), ("MD18150", 12.0)]);
+    }
+
+    // oracle: manual B:13279, B:13240 (what is delivered for each probe), A:15891 (61349 without a depth)
+    #[test]
+    fn more_probes_have_what_is_delivered_for_each() {
+        let files = files(view(json!({ "_CVAL[0]": 5, "_CVAL[1]": 5, "_CVAL[3]": 4 }), 1, true));
+        let all: String = files.iter().map(|file| file.text.as_str()).collect();
+        for text in ["_TP[4,7]=133 _TP[4,8]=0 _TP[4,9]=2", "_TPW[3,7]=133", "_MC_MTL[5]=(33.3,33.3,33.3,33.3,33.3)"] {
+            assert!(all.contains(text), "{text}\n{all}");
+        }
+    }
+
+    // oracle: manual B:14294-14296 (these have to be entered, one for each tool probe)
+    #[test]
+    fn sizes_that_are_to_be_entered_are_named() {
+        let names = |data, jog| {
+            let notes = view(data, 1, jog).notes;
+            let note = notes.into_iter().find(|note| note.key == "definitions-enter");
+            note.map(|note| note.word("names").unwrap().to_owned())
+        };
+        let two = names(json!({ "_CVAL[0]": 2, "E_MESS_MT_DL[0]": 20 }), true);
+        assert_eq!(two.as_deref(), Some("E_MESS_MT_DL[1], E_MESS_MT_DR[0], E_MESS_MT_DR[1]"));
+        assert_eq!(names(json!({ "_CVAL[0]": 2 }), false), None);
+        let all = json!({ "_CVAL[0]": 1, "E_MESS_MT_DL[0]": 20, "E_MESS_MT_DR[0]": 20 });
+        assert_eq!(names(all, true), None);
+    }
+
+    // oracle: manual B:13594-13598, B:14059-14061 (MD10240 is the system, the switches say in which the data stand)
+    #[test]
+    fn an_export_in_inch_makes_a_machine_in_inch() {
+        for text in [
+            "N10240 $MN_SCALING_SYSTEM_IS_METRIC=0\n_CBIT[3]=0\nCHANDATA(1)\n_CHBIT[24]=0\n_SPEED[1]=40",
+            "CHANDATA(1)\n_SPEED[1]=40\n_CHBIT[24]=0\n_CBIT[3]=0",
+            "_SPEED[1]=40\nMD10240=0",
+        ] {
+            let file = ExportedFile { name: "INITIAL.INI".to_owned(), text: text.to_owned() };
+            let back = read_back(ReadBackRequest { setup: None, files: vec![file] }).unwrap();
+            assert_eq!((back.machine.basic, back.machine.problems), (Units::Inch, vec![]), "{text}");
+            assert_eq!(back.machine.data, [("_SPEED[1]".to_owned(), Value::Number(40.0))].into(), "{text}");
+            assert_eq!(back.changed, back.read, "{text}");
+        }
+        let other = json!({ "own": { "basic": "mm", "data": { "MD10240": 0 } } });
+        let request = DefinitionsRequest { setup: Some(serde_json::from_value(other).unwrap()), ..Default::default() };
+        assert_eq!(definitions(request).unwrap_err().message.key, "setup-basic");
+    }
+
+    // oracle: manual B:13278-13282 (a comment takes an array away), B:14228-14234 (behind a list 0 stands)
+    #[test]
+    fn short_lists_and_comments_are_read_as_a_control_has_them() {
+        let text = "N10 DEF NCK INT _CVAL[4]=(2,2)\n;N13 DEF NCK REAL _KB[1,7]\nDEF NCK BOOL _CBIT[17]=(0,1)\n\
+                    DEF NCK REAL _MFS[6]\n";
+        let set = json!({ "data": { "_MFS[3]": 8 } });
+        let (back, _) = read_and_written(text, set);
+        for name in ["_CVAL[2]", "_CVAL[3]", "_CBIT[3]", "_CBIT[8]", "_CBIT[16]"] {
+            assert_eq!(back.machine.data.get(name), Some(&Value::Number(0.0)), "{name}");
+        }
+        assert_eq!(back.machine.basic, Units::Metric);
+        assert_eq!(back.machine.data.get("_MFS[3]"), None);
+        let (back, _) = read_and_written(";N111 DEF NCK REAL _TPW[3,10]\n_DIGIT=4", json!({}));
+        assert_eq!(back.machine.data.get("_CVAL[3]"), Some(&Value::Number(0.0)));
     }
 
     /// The machine that reads these lines, and what it writes then.
@@ -413,7 +628,7 @@ mod tests {
         let (back, lines) = read_and_written("DEF NCK BOOL _CBIT[16]\n", had.clone());
         assert_eq!(back.definitions, ["DEF NCK REAL LIMIT[2]", "DEF NCK BOOL _CBIT[16]"]);
         assert!(lines.iter().any(|line| line.starts_with("DEF NCK BOOL _CBIT[16]")), "{lines:?}");
-        let (back, lines) = read_and_written("DEF NCK BOOL _CBIT[30]\n", had);
+        let (back, lines) = read_and_written("DEF NCK BOOL _CBIT[30]=(0,0,0,1,0,0,0,0,1,0,0,0,0,0,0,0,1)\n", had);
         assert_eq!(back.definitions, ["DEF NCK REAL LIMIT[2]"]);
         assert!(lines.iter().all(|line| !line.contains("_CBIT")), "{lines:?}");
     }
@@ -425,7 +640,7 @@ mod tests {
         let data = json!({
             "PW-GENERATION": 3, "MD51600": 5, "SD54600[0]": 5.9, "SD54600[4]": 3.5, "SD55634": 700, "SD54740": 5
         });
-        let before = with_values(own(data.clone()), &[]).unwrap();
+        let before = with_values(own(data.clone()), None, &[]).unwrap();
         let written = view(data, 1, true);
         let [file] = &written.files[..] else { panic!("{:?}", written.files) };
         assert_eq!(

@@ -4,7 +4,7 @@ use super::Error;
 use super::finding::Finding;
 use super::start::{Machine, start};
 use crate::check;
-use crate::control::{Control, Units, Value, delivery_in, rebuilt};
+use crate::control::{Control, Units, Value, more_fields, rebuilt};
 use crate::dialect::Dialect;
 use crate::entry::Typed;
 use crate::form::machine::{Entry, Group, Refusal, Setting, accept, groups};
@@ -96,8 +96,12 @@ pub fn machine(asked: MachineRequest) -> Result<MachineView, Error> {
 }
 
 /// A SINUMERIK machine with values, one group after the other.
-pub(super) fn with_values(setup: Option<Machine>, groups: &[Typed]) -> Result<MachineView, Error> {
-    view(Dialect::Sinumerik, setup, None, groups)
+pub(super) fn with_values(
+    setup: Option<Machine>,
+    basic: Option<Units>,
+    groups: &[Typed],
+) -> Result<MachineView, Error> {
+    view(Dialect::Sinumerik, setup, basic, groups)
 }
 
 /// The machine with these groups of values; the problems are those of the last one.
@@ -108,13 +112,16 @@ fn view(dialect: Dialect, setup: Option<Machine>, basic: Option<Units>, typed: &
         Some(basic) if basic != setup.control.basic_units => rebuilt(&setup.control, basic),
         _ => setup.control,
     };
-    let delivered = delivery_in(dialect, control.basic_units);
-    let written = typed.iter().map(|typed| {
-        let problems = write(&mut control, &delivered, typed);
+    let mut delivered = control.delivered_alike(control.basic_units);
+    let mut problems = None;
+    for typed in typed {
+        problems = Some(write(&mut control, &delivered, typed));
         control.take_setting_data(); // they count what others there are
-        problems
-    });
-    let problems = written.last();
+        control.fill_fields();
+        for (name, value) in more_fields(&control, control.basic_units) {
+            delivered.data.insert(name, value);
+        }
+    }
     Ok(MachineView {
         groups: groups(&control).into_iter().map(|one| group(one, &control, &delivered)).collect(),
         basic: control.basic_units,

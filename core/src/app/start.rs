@@ -127,6 +127,7 @@ pub(super) fn start(dialect: Dialect, machine: Option<Machine>) -> Result<Start,
             setup.control.data.insert(name, value);
         }
         setup.control.take_setting_data();
+        setup.control.fill_fields();
         setup.has_its_data()?;
     }
     Ok(Start { setup, described: false })

@@ -225,9 +225,13 @@ mod tests {
         assert_eq!(outcome.control.number("_SPEED[1]"), 1000.0);
         assert_eq!(doubts(&outcome), [Code::Own(160)]);
         let names: Vec<String> = outcome.changes().into_iter().map(|one| one.name).collect();
-        for name in ["_WP[0,0]", "_EV[1]", "_MV[3]", "_KB[0,2]"] {
+        for name in ["_WP[0,0]", "_EV[1]", "_MV[3]", "_KB[0,2]", "_TP[0,7]", "_TP[0,9]", "_TPW[2,7]"] {
             assert!(names.iter().any(|one| one == name), "{name}");
         }
+        // axes are no length: 133 in every system of units
+        let changes = outcome.changes();
+        let axes = changes.iter().find(|one| one.name == "_TP[0,7]").unwrap();
+        assert_eq!((axes.before, axes.after), (133.0, 0.0));
     }
 
     // oracle: hand (the first call erases; a program that computes measures nothing)

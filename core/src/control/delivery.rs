@@ -15,7 +15,13 @@ use std::sync::Arc;
 const FOOT: f64 = 0.3048;
 
 /// Which system the machine was built for: 1 metric, 0 inch (B:13539, B:13883, MD10240 SCALING_SYSTEM_IS_METRIC).
-const IS_METRIC: [&str; 3] = ["_CBIT[3]", "_CHBIT[24]", "MD10240"];
+const IS_METRIC: [&str; 3] = [UNITS_OF_CONTROL, UNITS_OF_CHANNEL, BASIC_SYSTEM];
+/// The machine datum of the basic system: 1 metric, 0 inch.
+pub const BASIC_SYSTEM: &str = "MD10240";
+/// In which system the data of the control stand.
+pub const UNITS_OF_CONTROL: &str = "_CBIT[3]";
+/// In which system the data of the channel stand.
+pub const UNITS_OF_CHANNEL: &str = "_CHBIT[24]";
 
 /// A metric control as it comes from the manufacturer: no tools, no offsets, G17.
 pub fn delivery(dialect: Dialect) -> Control {
@@ -99,6 +105,56 @@ fn delivered(element: &Element, units: Units, always: bool) -> Option<Value> {
     }
 }
 
+/// What calibration writes. As its definition is delivered it is 0; the values of the core's own machine are for the
+/// simulation (B:13442-13450, B:13281).
+pub const CALIBRATED: &str = "_WP";
+
+/// What the fields of a control have that are more than delivered: what each is delivered with (B:13279), but for what
+/// calibration writes.
+pub fn more_fields(control: &Control, units: Units) -> BTreeMap<String, Value> {
+    let counted =
+        |gud: &&gud::Gud| gud.of_machine() && gud.name != CALIBRATED && control.data.given(gud.counted).is_some();
+    let mut more = BTreeMap::new();
+    for gud in gud::all().filter(counted) {
+        let fields = control.number(gud.counted).max(0.0) as usize;
+        for element in gud.elements {
+            let Some(value) = delivered(element, units, false) else { continue };
+            more.extend(gud.places(element, fields).iter().map(|at| (gud.spelled(at), value.clone())));
+        }
+    }
+    let delivered = Data::delivered(control.dialect, units);
+    more.retain(|name, _| !delivered.contains_key(name));
+    more
+}
+
+impl Control {
+    /// Gives the fields that are more than delivered what they begin with.
+    pub fn fill_fields(&mut self) {
+        for (name, value) in more_fields(self, self.basic_units) {
+            if !self.data.contains_key(&name) {
+                self.data.insert(name, value);
+            }
+        }
+    }
+
+    /// The switches of units as the basic system wants them: with others, the next call would convert the data.
+    pub fn settle_units(&mut self) {
+        let metric = f64::from(u8::from(self.basic_units == Units::Metric));
+        for name in IS_METRIC {
+            self.set(name, metric);
+        }
+    }
+
+    /// A control as delivered with as many fields as this one, in this system of units.
+    pub fn delivered_alike(&self, units: Units) -> Control {
+        let mut delivered = delivery_in(self.dialect, units);
+        for (name, value) in more_fields(self, units) {
+            delivered.data.insert(name, value);
+        }
+        delivered
+    }
+}
+
 /// Metric units in one unit of a datum as it is in the control.
 pub fn factor(unit: gud::Unit, basic: Units) -> f64 {
     match unit {
@@ -111,8 +167,8 @@ pub fn factor(unit: gud::Unit, basic: Units) -> f64 {
 /// A machine rebuilt for the other basic system (MD10240, B:13594): everything keeps its size. What is as delivered is
 /// as that system is delivered; what has no unit, such as R parameters, stays a number.
 pub fn rebuilt(control: &Control, units: Units) -> Control {
-    let before = delivery_in(control.dialect, control.basic_units);
-    let mut data = delivery_in(control.dialect, units).data;
+    let before = control.delivered_alike(control.basic_units);
+    let mut data = control.delivered_alike(units).data;
     for (name, value) in control.data.iter() {
         let follows = IS_METRIC.contains(&name.as_str()) || before.data.get(name) == Some(value);
         if !follows {

@@ -28,7 +28,9 @@ pub mod versions;
 pub use calibration::Calibration;
 pub use data::{Data, FORMS, GENERATION, OF_LISTS, OLDER_JOG};
 pub use definitions::{Definition, Definitions};
-pub use delivery::{delivery, delivery_in, rebuilt};
+pub use delivery::{
+    BASIC_SYSTEM, CALIBRATED, UNITS_OF_CHANNEL, UNITS_OF_CONTROL, delivery, delivery_in, more_fields, rebuilt,
+};
 pub use environments::Environment;
 pub use frame::Frame;
 pub use frames::Store;

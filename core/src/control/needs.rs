@@ -79,6 +79,8 @@ pub struct Need {
     pub effect: &'static str,
     /// Whether a line that changes it is proposed: not where it depends on the probe or on what programs use.
     pub changed: bool,
+    /// Whether each of its elements is another: what is proposed is the place of the element, from 1.
+    pub by_place: bool,
 }
 
 const fn limit(severity: Severity, of: Use, value: f64, source: &'static str) -> Limit {
@@ -100,7 +102,7 @@ impl Limit {
 }
 
 const fn need(number: &'static str, test: Test, effect: &'static str, limits: &'static [Limit]) -> Need {
-    Need { number, test, limits, when: When::Always, alarm: 0, effect, changed: true }
+    Need { number, test, limits, when: When::Always, alarm: 0, effect, changed: true, by_place: false }
 }
 
 impl Need {
@@ -110,6 +112,10 @@ impl Need {
 
     const fn only_told(self) -> Need {
         Need { changed: false, ..self }
+    }
+
+    const fn by_place(self) -> Need {
+        Need { by_place: true, ..self }
     }
 
     const fn when(self, number: &'static str, bit: u32) -> Need {
@@ -206,7 +212,7 @@ pub const NEEDS: &[Need] = &[
         .only_told(),
     need("MD11602", Test::Set, "jog-start", &[jog(1.0, "B:14067-14073;A:15227-15231")]),
     need("MD11604", Test::UpTo, "jog-start", &[jog(100.0, "B:14075-14082;A:15232-15236")]),
-    need("MD20050", Test::AtLeast, "geometry", &[jog(1.0, "B:14084-14093;A:15237-15241")]),
+    need("MD20050", Test::AtLeast, "geometry", &[jog(1.0, "B:14084-14093;A:15237-15241")]).by_place(),
     need("MD20110", Test::Set, "reset-length", &[jog(16453.0, "B:14099-14110;A:15242-15246")]),
     need("MD20112", Test::Clear, "start-length", &[jog(64.0, "B:14112-14119;A:15247-15251")]),
     need("MD20310", Test::Set, "tool-change", &[jog(16384.0, "B:14121-14127;A:15252-15257")]).when("MD20310", 0),

@@ -2,7 +2,7 @@
 
 use super::Setup;
 use super::series::MOST_RUNS;
-use crate::control::{Control, Edge, Frame, Value};
+use crate::control::{BASIC_SYSTEM, Control, Edge, Frame, Units, Value};
 use crate::geometry::FARTHEST;
 use crate::message::printable;
 use crate::refused::{Path, Refused};
@@ -97,6 +97,7 @@ impl Setup {
     /// Refuses data that the control does not have.
     pub(crate) fn has_its_data(&self) -> Result<(), Refused> {
         self.control.data.iter().try_for_each(|(name, value)| datum(&self.control, name, value))?;
+        has_its_units(&self.control)?;
         has_its_settings(&self.control)
     }
 
@@ -116,6 +117,17 @@ impl Setup {
         count("setup-solids", &at, solids.len(), SOLIDS)?;
         solids.iter().enumerate().try_for_each(|(number, one)| solid(&at.element(number), one))
     }
+}
+
+/// MD 10240 is the basic system (B:13594): another one than the machine has would count for nothing.
+fn has_its_units(control: &Control) -> Result<(), Refused> {
+    let Some(Value::Number(metric)) = control.data.get(BASIC_SYSTEM) else { return Ok(()) };
+    let units = if *metric == 0.0 { Units::Inch } else { Units::Metric };
+    if units == control.basic_units {
+        return Ok(());
+    }
+    let refused = Refused::new("setup-basic", Path::of(&["data", BASIC_SYSTEM])).number("value", *metric);
+    Err(refused.text("units", control.basic_units.name()))
 }
 
 /// A setting datum that a newer control does not have, or not with this index, would count for nothing.

@@ -87,7 +87,7 @@ pub struct Sim {
     /// Whether the stylus touched instead of the ball since this was last asked for.
     stylus_touched: bool,
     /// Feed of which the deflection of the probe was told last, mm/min.
-    deflected_at: Option<f64>,
+    deflected_at: BTreeSet<u64>,
     /// What was looked at on arcs, and by a heavy part outside of cycles, since last asked for; see [`Route::search`].
     effort: usize,
 }
@@ -134,7 +134,7 @@ impl Sim {
             watched: 0.0,
             touching: true,
             stylus_touched: false,
-            deflected_at: None,
+            deflected_at: BTreeSet::new(),
             effort: 0,
         }
     }

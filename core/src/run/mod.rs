@@ -72,7 +72,7 @@ mod unread;
 pub use call::predict;
 pub use interpret::{Session, main_program, run};
 pub use limits::Limits;
-pub use outcome::{Change, Outcome};
+pub use outcome::{Change, Outcome, is_length};
 
 use crate::control::arrays::stem;
 use datum::{Datum, Type};

@@ -214,7 +214,8 @@ pub(super) fn set(step: &Step) -> Option<(&str, f64)> {
 /// the same, as far as that is seen without comparing one by one.
 fn addressable(control: &Control, other: &Control) -> BTreeMap<String, f64> {
     let memory = |(name, value): (&String, &Value)| match value {
-        Value::Number(value) if remembered(name) => Some((name.clone(), value * control.basic_factor())),
+        Value::Number(value) if is_length(name) => Some((name.clone(), value * control.basic_factor())),
+        Value::Number(value) if is_axes(name) => Some((name.clone(), *value)),
         _ => None,
     };
     let variables = control.variables_unlike(other);
@@ -228,8 +229,15 @@ fn addressable(control: &Control, other: &Control) -> BTreeMap<String, f64> {
 /// User data in which later measurements find what this one left: empirical and mean values, calibration of probes.
 const MEMORIES: [&str; 6] = ["_EV[", "_MV[", "_WP[", "_TP[", "_TPW[", "_KB["];
 
-/// Whether a datum is one of these or a calibrated value of NCT, and a length: the calibration status tells nothing.
-fn remembered(name: &str) -> bool {
+/// Whether a datum has the axes of a tool probe: without them, where it is erased (B:13644), it cannot be measured with
+/// (B:13364).
+fn is_axes(name: &str) -> bool {
+    ["_TP[", "_TPW["].iter().any(|stem| name.starts_with(stem)) && name.ends_with(",7]")
+}
+
+/// Whether a datum is one of the memories or a calibrated value of NCT, and a length: the calibration status tells
+/// nothing.
+pub fn is_length(name: &str) -> bool {
     let unit = match nct_data::find(name) {
         Some(datum) => Some(datum.element.unit),
         None if !MEMORIES.iter().any(|stem| name.starts_with(stem)) => None,

@@ -44,6 +44,7 @@ pub fn setup(file: SetupFile) -> Result<Setup, Refused> {
     }
     of_nct(&control)?;
     control.take_setting_data();
+    control.fill_fields();
     activate(&mut control, &file.active)?;
     let setup = Setup {
         name: file.name,

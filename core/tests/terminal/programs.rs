@@ -539,14 +539,22 @@ fn definition_files_are_read_and_written() {
     assert_eq!(done.status.code(), Some(0), "{}", err(&done));
     let lines = std::fs::read_to_string(folder.join("lines/GUD6-lines.txt")).unwrap();
     assert!(
-        lines.starts_with("N10 DEF NCK INT _CVAL[4]=(2,2)\n") && lines.contains(";N13 DEF NCK REAL _KB"),
+        lines.starts_with("N10 DEF NCK INT _CVAL[4]=(2,2,0,0)\n") && lines.contains(";N13 DEF NCK REAL _KB"),
         "{lines}"
     );
     assert!(out(&done).contains("MD18150") && out(&done).contains("_TP[2,10]"), "{}", out(&done));
     let again = probewright(&["definitions", "--setup", &saved]);
-    assert!(out(&again).contains("N10 DEF NCK INT _CVAL[4]=(2,2)"), "{}", out(&again));
+    assert!(out(&again).contains("N10 DEF NCK INT _CVAL[4]=(2,2,0,0)"), "{}", out(&again));
     std::fs::write(folder.join("x.mpf"), "G0 X1\n").unwrap();
     assert_eq!(probewright(&["definitions", &path("x.mpf")]).status.code(), Some(2)); // no datum of a machine
+    // an export in inch: the setup that is saved is a machine in inch, whose files say so
+    std::fs::write(folder.join("INCH.INI"), "CHANDATA(1)\nMD10240=0\n_SPEED[1]=40\n").unwrap();
+    let done = probewright(&["definitions", &path("INCH.INI"), "--save", &saved]);
+    assert!(err(&done).starts_with("2 values read, 2 changed, 0 not accepted."), "{}", err(&done));
+    let setup: serde_json::Value = serde_json::from_str(&std::fs::read_to_string(&saved).unwrap()).unwrap();
+    assert_eq!((&setup["units"], &setup["data"]), (&"inch".into(), &serde_json::json!({ "_SPEED[1]": 40.0 })));
+    let again = probewright(&["definitions", "--setup", &saved]);
+    assert!(out(&again).contains("_CBIT[3]=0") && out(&again).contains("_SPEED[1]=40 "), "{}", out(&again));
     // without a machine the core's own begins, and what is saved is one: of a newer control, with the lines read
     let newer = path("A.TEA");
     let lines = "N54600 $SNS_MEA_WP_BALL_DIAM[0]=5.9\nCHANDATA(1)\nN55634 $SCS_MEA_FEED_PLANE_VALUE=700\n";

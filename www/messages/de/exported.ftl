@@ -3,6 +3,7 @@
 exported-intro = Einfügen oder hierher ziehen, was die Steuerung ausgibt: Maschinendaten (.TEA, INITIAL.INI), Definitionsdateien, den Text einer Serieninbetriebnahme. Oder Zeilen wie MD 18120 = 30 eingeben. Nichts verlässt diesen Browser.
 exported-text = Ausgabe der Steuerung
 exported-open = Dateien öffnen
+exported-remove = { $name } entfernen
 exported-has = Diese Maschine hat
 exported-jog = Messen in JOG
 exported-log = Protokollieren

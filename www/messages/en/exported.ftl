@@ -3,6 +3,7 @@
 exported-intro = Paste or drop what the control exports: machine data (.TEA, INITIAL.INI), definition files, the text of a series archive. Or type lines such as MD 18120 = 30. Nothing leaves this browser.
 exported-text = Export of the control
 exported-open = Open files
+exported-remove = Remove { $name }
 exported-has = This machine has
 exported-jog = Measuring in JOG
 exported-log = Logging

@@ -3,6 +3,7 @@
 exported-intro = 请粘贴或拖入控制系统导出的内容：机床数据（.TEA、INITIAL.INI）、定义文件、批量调试存档的文本；或输入如 MD 18120 = 30 的各行。任何内容都不会离开此浏览器。
 exported-text = 控制系统的导出内容
 exported-open = 打开文件
+exported-remove = 移除 { $name }
 exported-has = 此机床具有
 exported-jog = JOG 测量
 exported-log = 测量记录

@@ -6,6 +6,7 @@ import { html, nothing, render, type TemplateResult } from "lit-html";
 import type { ProgramCore } from "../core/program";
 import { el, on, setAttribute } from "../dom";
 import { guideButton } from "../guide";
+import { iconPart } from "../icons";
 import { readExported, saveFile } from "../state/files";
 import { say, sayProblem, t } from "../texts";
 import type { ExportedFile, MachineCheckView, MachineFault, Severity, Use } from "../wire";
@@ -54,7 +55,7 @@ function faultOf(fault: MachineFault): TemplateResult {
 }
 
 /** All that is wrong, the worst first. */
-function listOf({ faults, missing, ending }: MachineCheckView): TemplateResult {
+function listOf({ faults, missing, ending, read }: MachineCheckView): TemplateResult {
   const group = (severity: Severity): TemplateResult | typeof nothing => {
     const of = faults.filter(fault => fault.severity === severity);
     if (!of.length) return nothing;
@@ -66,7 +67,7 @@ function listOf({ faults, missing, ending }: MachineCheckView): TemplateResult {
     </section>`;
   };
   return html`<p class="exported-ending">${say(ending)}</p>
-    ${faults.length ? nothing : html`<p>${t("exported-clean")}</p>`}
+    ${faults.length || read === 0 ? nothing : html`<p>${t("exported-clean")}</p>`}
     ${SEVERITIES.map(group)}
     ${
       missing.length
@@ -107,7 +108,7 @@ export function openMachineCheck(core: () => ProgramCore | null, end: AbortSigna
   });
   const uses = USES.map(use => ({ use, ...box(`exported-${use}`, true, t(`exported-${use}`)) }));
   const large = box("exported-large", false, t("exported-large"));
-  const names = el("p", { class: "exported-files" });
+  const names = el("ul", { class: "exported-files" });
   const problem = el("p", { class: "exported-problem", role: "alert" });
   const list = el("div", { class: "exported-list", "aria-live": "polite" });
   const opening = el("button", { type: "button" }, t("exported-open"));
@@ -157,30 +158,52 @@ export function openMachineCheck(core: () => ProgramCore | null, end: AbortSigna
     if (answer && "why" in answer) problem.textContent = sayProblem(answer.why);
     else view = answer ?? null;
     braking.take(view?.axis ?? null);
-    names.textContent = files.map(({ name }) => name).join(" · ");
+    render(files.map(fileOf), names);
     saving.disabled = !view?.changes;
     printing.disabled = !view;
     render(view ? listOf(view) : nothing, list);
+  };
+  const fileOf = (file: ExportedFile): TemplateResult => {
+    const label = t("exported-remove", { name: file.name });
+    const remove = (): void => {
+      files = files.filter(one => one !== file);
+      check();
+      opening.focus(); // this button goes
+    };
+    return html`<li>
+      ${file.name}
+      <button type="button" class="quiet" title=${label} aria-label=${label} @click=${remove}
+        >${iconPart("close")}</button
+      >
+    </li>`;
   };
   function later(): void {
     clearTimeout(waiting);
     waiting = window.setTimeout(check, PAUSE);
   }
   const take = async (chosen: readonly File[]): Promise<void> => {
-    const size = chosen.reduce((sum, file) => sum + file.size, 0);
+    // files come together: machine data and definitions are several; the newer of two with one name counts
+    const kept = files.filter(({ name }) => chosen.every(file => file.name !== name));
+    const size = chosen.reduce(
+      (sum, file) => sum + file.size,
+      kept.reduce((sum, { text }) => sum + text.length, 0),
+    );
     if (size > LARGEST) {
       problem.textContent = t("exported-too-large", { most: LARGEST / 2 ** 20 });
       return;
     }
     const reader = core();
     if (!reader) return;
-    files = await Promise.all(chosen.map(file => readExported(file, reader)));
+    files = [...kept, ...(await Promise.all(chosen.map(file => readExported(file, reader))))];
     check();
   };
   on(text, "input", later);
   for (const { input } of [...uses, large]) on(input, "change", check);
   on(opening, "click", () => picker.click());
-  on(picker, "change", () => void take([...(picker.files ?? [])]));
+  on(picker, "change", () => {
+    void take([...(picker.files ?? [])]);
+    picker.value = ""; // the same file may be opened again
+  });
   on(dialog, "drop", event => {
     event.preventDefault();
     void take([...((event as DragEvent).dataTransfer?.files ?? [])]);

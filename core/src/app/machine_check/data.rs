@@ -1,25 +1,42 @@
 //! Machine data against what measuring needs of them.
 
-use super::fault::{Files, MachineFault, MachineLimit, written};
-use super::read::{Exported, Given};
+use super::fault::{Files, MachineFault, MachineLimit, machine_datum, written};
+use super::read::{Exported, Given, of_channel};
 use crate::control::needs::{GUD_MEMORY, GUD_MEMORY_SOURCE, GUD_VALUES, Limit, NEEDS, Need, Test, Use, When};
 use crate::control::{Value, arrays};
 use crate::diagnostic::Severity;
 use crate::manual::Cited;
 use crate::message::Message;
+use std::collections::BTreeSet;
 
 /// What is wrong, in the order of the needs.
 pub fn faults(given: &Exported, files: &Files, without: &[Use], large: bool) -> Vec<MachineFault> {
     let limits = |need: &Need| limits(need, given, without, large);
     let of_need = |need: &'static Need| {
         let limits = limits(need);
-        let data = given.data.iter().filter(|((name, _), _)| arrays::stem(name) == need.number);
-        let faults = data.filter_map(|((name, channel), datum)| {
-            counts(need, given, *channel).then(|| fault(need, &limits, (name, *channel), datum, files)).flatten()
+        let own = machine_datum(need.number).is_some_and(of_channel);
+        let names = given.data.keys().map(|(name, _)| name).filter(|name| arrays::stem(name) == need.number);
+        let names: BTreeSet<&String> = names.collect();
+        let seen = names.into_iter().flat_map(|name| given.seeing(own).into_iter().map(move |channel| (name, channel)));
+        let faults = seen.filter(|(_, channel)| counts(need, given, *channel)).filter_map(|(name, channel)| {
+            let fault = fault(need, &limits, (name, channel), given.get(name, channel)?, files)?;
+            Some(if need.by_place { placed(fault, given, channel) } else { fault })
         });
         faults.collect::<Vec<_>>()
     };
     NEEDS.iter().flat_map(of_need).collect()
+}
+
+/// An element whose value is its place, from 1, where no other element has it: two geometry axes would be one axis of
+/// the channel (B:14084-14093).
+fn placed(fault: MachineFault, given: &Exported, channel: u32) -> MachineFault {
+    let fault = MachineFault { change: String::new(), mended: None, ..fault };
+    let Some((stem, index)) = arrays::split(&fault.name) else { return fault };
+    let [at] = index[..] else { return fault };
+    let own = (at + 1) as f64;
+    let elements = machine_datum(stem).map_or(0, |datum| datum.elements);
+    let mut others = (0..elements).filter_map(|other| given.number(&format!("{stem}[{other}]"), channel));
+    if others.any(|value| value == own) { fault } else { fault.mended(own) }
 }
 
 /// The limits that count on this machine, as they are.
@@ -81,7 +98,8 @@ fn fault(
         .channel(channel)
         .value(written(name, value))
         .at(place)
-        .effect(need.effect)
+        .spelled(&datum.spelled)
+        .effect(effect(need, limits, missed))
         .alarm(need.alarm);
     let limits: Vec<MachineLimit> = limits.iter().map(told).collect();
     let fault = MachineFault { limits, ..fault };
@@ -91,6 +109,12 @@ fn fault(
         Test::Clear => fault.bits(best, [0, missed.value as u32]),
         _ => fault.mended(best),
     })
+}
+
+/// What follows: where only the larger figure of the manual is missed, the cycles alone have enough.
+fn effect(need: &Need, limits: &[Limit], missed: &Limit) -> &'static str {
+    let enough = limits.iter().any(|limit| limit.severity == Severity::Error) && missed.severity != Severity::Error;
+    if enough && missed.of != Use::Log { "reserve" } else { need.effect }
 }
 
 /// What is wrong with a value.

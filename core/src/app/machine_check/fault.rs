@@ -47,6 +47,9 @@ pub struct MachineFault {
     /// The datum and its new value, for the file of the lines.
     #[serde(skip)]
     pub mended: Option<Mended>,
+    /// The name by which the control of the export calls a machine datum, without index; empty: it says none.
+    #[serde(skip)]
+    pub spelled: String,
 }
 
 /// A value that a datum has to be or to reach.
@@ -113,6 +116,7 @@ impl MachineFault {
             source: Cited(source),
             change: String::new(),
             mended: None,
+            spelled: String::new(),
             name,
         }
     }
@@ -143,9 +147,20 @@ impl MachineFault {
         MachineFault { alarm, ..self }
     }
 
+    /// By the name that the control of the export uses.
+    pub fn spelled(self, spelled: &str) -> MachineFault {
+        MachineFault { spelled: spelled.to_owned(), ..self }
+    }
+
+    /// The datum as a line to change names it: as the export does, else as the manual does.
+    pub fn line_name(&self) -> String {
+        let (stem, index) = self.name.split_at(arrays::stem(&self.name).len());
+        if self.spelled.is_empty() { format!("{}{index}", spelled(stem)) } else { format!("{}{index}", self.spelled) }
+    }
+
     /// With the value that mends it.
     pub fn mended(self, value: f64) -> MachineFault {
-        let change = format!("{}={}", spelled(&self.name), written(&self.name, value));
+        let change = format!("{}={}", self.line_name(), written(&self.name, value));
         MachineFault { change, mended: Some(Mended { value, bits: None }), ..self }
     }
 

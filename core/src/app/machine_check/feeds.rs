@@ -50,10 +50,22 @@ fn of_axis(axis: MachineAxis) -> Braking {
     Braking { delay: axis.delay, acceleration: axis.acceleration, gain: axis.gain }
 }
 
+/// Numbers of the data of the axis that no file gives.
+fn absent(given: &Exported) -> impl Iterator<Item = &'static str> {
+    let there = |number: &str| given.data.keys().any(|(name, _)| arrays::stem(name) == number);
+    braking::DATA.into_iter().filter(move |number| !there(number))
+}
+
 /// Data of the axis that no file gives.
 pub fn missing(given: &Exported) -> Vec<String> {
-    let there = |number: &str| given.data.keys().any(|(name, _)| arrays::stem(name) == number);
-    braking::DATA.into_iter().filter(|number| !there(number)).map(identified).collect()
+    absent(given).map(identified).collect()
+}
+
+/// That no feed is held against the deflection, because the files do not say how an axis stops.
+pub fn unchecked(given: &Exported) -> Option<MachineFault> {
+    let all: Vec<&str> = absent(given).collect();
+    let message = Message::new("machine-check-no-axis").text("data", all.join(", "));
+    Some(MachineFault::new(Severity::Warning, *all.first()?, message, "B:1149-1161;A:1095-1115"))
 }
 
 /// Data of axes that no axis has: no braking path follows from them.

@@ -12,6 +12,7 @@ mod words;
 
 pub use fault::{MachineFault, MachineLimit, MachinePlace};
 pub use feeds::MachineAxis;
+pub(super) use user::TO_ENTER;
 
 use super::Error;
 use crate::control::needs::{NEEDS, Use};
@@ -88,6 +89,7 @@ pub fn machine_check(asked: MachineCheckRequest) -> Result<MachineCheckView, Err
     faults.extend(feeds::impossible(&given, &files));
     let deflection = asked.deflection;
     faults.extend(deflection.iter().flat_map(|most| feeds::faults(&given, &files, &asked.without, *most)));
+    faults.extend(deflection.and_then(|_| feeds::unchecked(&given)));
     faults.sort_by_key(|fault| fault.severity); // stable: within a severity the order of the manual
     let count = |severity| faults.iter().filter(|fault| fault.severity == severity).count() as f64;
     let ending = Message::new("machine-check-ending")

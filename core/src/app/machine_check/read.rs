@@ -4,6 +4,7 @@
 //! read; what no check asks for is counted.
 
 use super::words::{Scan, Token};
+use crate::control::gud::Gud;
 use crate::control::machine_data::{MACHINE_DATA, MachineDatum};
 use crate::control::{Value, arrays, gud, setting_data};
 use std::collections::BTreeMap;
@@ -31,9 +32,13 @@ pub struct Given {
     pub place: Place,
     /// By a definition, which an assignment changes whatever the order of the files.
     pub defined: bool,
+    /// The name of a machine datum as its control wrote it, `N28040 $MC_MM_LUD_VALUES_MEM`; empty: it did not. Names
+    /// differ between versions, and a control reads its own only.
+    pub spelled: String,
 }
 
-/// Values of an array in a definition: elements behind a list that is shorter than the array are 0 (B:14228-14234).
+/// Values of an array in a definition: elements behind a list that is shorter than the array, or without one, are 0
+/// (B:14228-14234).
 #[derive(Clone, Debug)]
 struct List {
     sizes: Vec<usize>,
@@ -61,6 +66,8 @@ pub struct Exported {
     pub data: BTreeMap<(String, u32), Given>,
     /// Sizes of the arrays in definition lines, by name.
     pub sizes: BTreeMap<String, (Vec<usize>, Place)>,
+    /// Arrays whose definition is a comment: they are not there (B:13278-13282).
+    pub removed: BTreeMap<String, Place>,
     lists: BTreeMap<(String, u32), List>,
     /// Data that are given again with another value; the last one counts.
     pub twice: Vec<Odd>,
@@ -78,8 +85,43 @@ impl Exported {
         let mut channel = 0;
         for (line, text) in (1..).zip(text.trim_start_matches('\u{feff}').lines()) {
             let place = Place { file, line };
-            Line { to: self, place, channel: &mut channel, number: None, scan: Scan::new(text) }.read();
+            if let Some(name) = removed(text) {
+                self.remove(name, place);
+            }
+            Line {
+                to: self,
+                place,
+                channel: &mut channel,
+                number: None,
+                spelled: String::new(),
+                scan: Scan::new(text),
+            }
+            .read();
         }
+    }
+
+    /// Takes an array away, if no line of the same file defines it.
+    fn remove(&mut self, name: &str, place: Place) {
+        if self.sizes.get(name).is_none_or(|(_, defined)| defined.file != place.file) {
+            self.sizes.remove(name);
+            self.lists.retain(|(array, _), _| array != name);
+            self.removed.insert(name.to_owned(), place);
+        }
+    }
+
+    /// Elements behind the lists of definitions that no file gives, with the channel of the list.
+    pub fn behind_lists(&self) -> impl Iterator<Item = (String, u32, &Given)> {
+        let of_list = |((name, channel), list): (&'_ (String, u32), &'_ List)| -> Vec<(String, u32)> {
+            let names = arrays::following(name, &list.sizes).skip(list.count);
+            names.map(|name| (name, *channel)).filter(|key| !self.data.contains_key(key)).collect()
+        };
+        let all = self.lists.iter().map(move |(key, list)| (of_list((key, list)), &list.zero));
+        all.flat_map(|(names, zero)| names.into_iter().map(move |(name, channel)| (name, channel, zero)))
+    }
+
+    /// The channels that see a datum of their own; of a datum of the control 0 alone.
+    pub fn seeing(&self, own: bool) -> Vec<u32> {
+        if own { self.channels() } else { vec![0] }
     }
 
     /// A datum as a channel sees it.
@@ -119,6 +161,8 @@ struct Line<'a> {
     channel: &'a mut u32,
     /// Number of the machine datum in front: `N18118`.
     number: Option<String>,
+    /// The datum as its control wrote it; empty: it did not.
+    spelled: String,
     scan: Scan<'a>,
 }
 
@@ -154,6 +198,7 @@ impl Line<'_> {
             return;
         }
         let number = self.number.take();
+        self.spelled.clear();
         let digits = number.as_deref().and_then(|number| number.get(1..));
         let Some(datum) = known(word, digits, index) else {
             self.to.others += 1;
@@ -163,6 +208,9 @@ impl Line<'_> {
         if let Some(digits) = digits.filter(|digits| is_of_another(&datum.name, digits)) {
             let texts = [digits.to_owned(), String::new()];
             self.to.unlike.push(Odd { name: datum.name.clone(), channel: *self.channel, place: self.place, texts });
+            self.spelled = word.to_owned(); // the control reads the name
+        } else if word.starts_with('$') {
+            self.spelled = number.iter().map(String::as_str).chain([word]).collect::<Vec<_>>().join(" ");
         }
         let before = self.scan;
         let values = self.scan.values();
@@ -186,11 +234,12 @@ impl Line<'_> {
                     let name = word.to_ascii_uppercase();
                     let Some(found) = gud::find(&name) else { continue };
                     let sizes = index.as_deref().and_then(sizes).unwrap_or_default();
+                    self.spelled.clear();
+                    self.to.removed.remove(&name);
                     self.to.sizes.insert(name.clone(), (sizes.clone(), self.place));
-                    if self.scan.assigns()
-                        && let Some(values) = self.scan.values()
-                    {
-                        self.list(&name, &sizes, found.channel, values.len());
+                    let values = if self.scan.assigns() { self.scan.values() } else { Some(Vec::new()) };
+                    if let Some(values) = values {
+                        self.list(found, &sizes, values.len());
                         self.fill(&Datum { name, sizes, channel: found.channel }, &values, true);
                     }
                 }
@@ -200,10 +249,11 @@ impl Line<'_> {
     }
 
     /// Remembers how far the list of a definition goes.
-    fn list(&mut self, name: &str, sizes: &[usize], of_channel: bool, count: usize) {
-        let channel = if of_channel { *self.channel } else { 0 };
-        let zero = Given { value: Value::Number(0.0), place: self.place, defined: true };
-        self.to.lists.insert((name.to_owned(), channel), List { sizes: sizes.to_vec(), count, zero });
+    fn list(&mut self, gud: &Gud, sizes: &[usize], count: usize) {
+        let channel = if gud.channel { *self.channel } else { 0 };
+        let value = if gud.text() { Value::Text(String::new()) } else { Value::Number(0.0) };
+        let zero = Given { value, place: self.place, defined: true, spelled: String::new() };
+        self.to.lists.insert((gud.name.to_owned(), channel), List { sizes: sizes.to_vec(), count, zero });
     }
 
     /// Gives a datum, or the elements of an array from this one on, their values.
@@ -222,7 +272,7 @@ impl Line<'_> {
 
     fn give(&mut self, name: String, of_channel: bool, value: Value, defined: bool) {
         let channel = if of_channel { *self.channel } else { 0 };
-        let given = Given { value, place: self.place, defined };
+        let given = Given { value, place: self.place, defined, spelled: self.spelled.clone() };
         let key = (name, channel);
         let before = self.to.data.get(&key);
         if before.is_some_and(|before| defined && !before.defined) {
@@ -235,6 +285,19 @@ impl Line<'_> {
         }
         self.to.data.insert(key, given);
     }
+}
+
+/// The array in a line that was made a comment: `;N13 DEF NCK REAL _KB[3,7]`.
+fn removed(text: &str) -> Option<&'static str> {
+    let (before, comment) = text.split_once(';')?;
+    let mut scan = Scan::new(comment);
+    let mut word = || if let Token::Word(word) = scan.token() { Some(word.to_ascii_uppercase()) } else { None };
+    let first = word()?;
+    let begins = before.trim().is_empty() || numbered(&before.trim().to_ascii_uppercase());
+    if !begins || first != "DEF" && !(numbered(&first) && word()? == "DEF") {
+        return None;
+    }
+    (0..3).find_map(|_| gud::find(&word()?)).map(|gud| gud.name)
 }
 
 /// Whether a control can hold a value: its largest numbers are those of a mask of 32 bits.
@@ -381,7 +444,8 @@ mod tests {
         assert!(!read.sizes.contains_key("_KB"));
         assert_eq!((read.number("_CVAL[1]", 0), read.number("_CVAL[2]", 0)), (Some(2.0), Some(0.0)));
         assert_eq!((read.number("_TP[0,7]", 0), read.number("_TP[1,7]", 0)), (Some(133.0), Some(0.0)));
-        assert_eq!((read.number("_TP[2,7]", 0), read.number("_WP[0,1]", 0)), (None, None));
+        assert_eq!((read.number("_TP[2,7]", 0), read.number("_WP[0,1]", 0)), (None, Some(0.0)));
+        assert_eq!(read.removed.keys().collect::<Vec<_>>(), ["_KB"]);
         assert_eq!(read.number("_EVMVNUM[1]", 0), Some(10.0));
         let set = self::read("DEF CHAN INT _JM_I[10] = SET(0,1,,17)\nDEF CHAN REAL _MC_MTL[3]=(33.3,33.3,33.3)");
         assert_eq!((set.number("_JM_I[1]", 0), set.number("_JM_I[2]", 0)), (Some(1.0), None));

@@ -125,11 +125,16 @@ fn masks_are_told_by_their_bits() {
 #[test]
 fn user_data_are_held_against_each_other() {
     for (text, name, severity, alarm) in [
-        ("_CVAL[0]=3\nDEF NCK REAL _TP[2,10]", "_CVAL[0]", Error, "61416"),
-        ("_CVAL[1]=3\nDEF NCK REAL _WP[4,11]", "_CVAL[1]", Error, "61416"),
+        ("_CVAL[0]=3\nDEF NCK REAL _TP[1,10]=(0,0,0,0,0,0,20,133,0,2)", "_CVAL[0]", Error, "61416"),
+        ("_CVAL[1]=3\nDEF NCK REAL _WP[1,11]=(6)", "_CVAL[1]", Error, "61416"),
+        ("DEF NCK INT _CVAL[4]=(3,3,0,3)\n;N111 DEF NCK REAL _TPW[3,10]", "_CVAL[3]", Error, "61416"),
+        ("_CVAL[2]=3\nN13 ;DEF NCK REAL _KB[3,7]", "_CVAL[2]", Error, "61416"),
+        ("DEF NCK REAL _MFS[6]=(0,20)\n_CBIT[12]=1", "_MFS[0]", Error, "61350"),
+        ("E_MESS_MT_DL[4]=0", "E_MESS_MT_DL[4]", Error, "61230"),
+        ("DEF CHAN REAL _SPEED[4]=(50,1000,1000)", "_SPEED[3]", Error, ""),
         ("DEF NCK INT _CVAL[4]=(3,3,1,3)\nDEF NCK REAL _KB[3,7]", "_CVAL[2]", Error, "61416"),
         ("_EVMVNUM[0]=20\nDEF CHAN REAL _EV[10]", "_EVMVNUM[0]", Error, ""),
-        ("DEF NCK REAL _WP[3,10]", "_WP", Error, ""),
+        ("DEF NCK REAL _KB[3,10]", "_KB", Error, ""),
         ("MD10240=1\n_CBIT[3]=0", "_CBIT[3]", Error, ""),
         ("MD10240=0\n_CHBIT[24]=1", "_CHBIT[24]", Error, ""),
         ("_SPEED[1]=0", "_SPEED[1]", Error, "61338"),
@@ -155,7 +160,7 @@ fn user_data_are_held_against_each_other() {
         ("_CHBIT[0]=1\nE_MESS_MS_IN=0", "_CHBIT[0]", Warning, ""),
         ("_CVAL[1]=1\n_JM_I[1]=2", "_JM_I[1]", Error, "61313"),
         ("_MC_SIMSIM=0", "_MC_SIMSIM", Note, ""),
-        ("_CVAL[1]=3\nDEF CHAN REAL _MC_MTL[2]", "_MC_MTL", Note, ""),
+        ("_CVAL[1]=3\nDEF CHAN REAL _MC_MTL[2]=(33.3,33.3)", "_MC_MTL", Note, ""),
     ] {
         assert_eq!(told(&check(text)), [(name, severity, alarm)], "{text}");
     }
@@ -163,9 +168,78 @@ fn user_data_are_held_against_each_other() {
     for text in ["_SPEED[1]=0\n_CHBIT[2]=0", "_CM[5]=0\n_CBIT[12]=1", "_CHBIT[10]=1\n_CHBIT[11]=0\n_CHBIT[18]=1"] {
         assert_eq!(told(&check(text)), [], "{text}");
     }
+    // two causes are two faults; an array without a list has them all
+    let both = check("_CHBIT[10]=0\n_CHBIT[11]=1\n_CHBIT[18]=1");
+    assert_eq!(told(&both), [("_CHBIT[18]", Warning, ""); 2]);
+    assert_ne!(both.faults[0].message, both.faults[1].message);
+    let sizes = check("DEF CHAN REAL E_MESS_MT_DL[3]\nDEF CHAN REAL E_MESS_MT_DR[3]");
+    assert_eq!(told(&sizes).iter().filter(|one| one.2 == "61230").count(), 6);
+    // what a comment took away may be defined by the line of another file
+    for text in [";DEF NCK REAL _KB[3,7]\n_CVAL[2]=3\nDEF NCK REAL _KB[3,7]", "_CVAL[2]=0\n;DEF NCK REAL _KB[3,7]"] {
+        assert_eq!(told(&check(text)), [], "{text}");
+    }
     let two = check("MD10240=1\nCHANDATA(1)\n_CHBIT[24]=1\nCHANDATA(2)\n_CHBIT[24]=0");
     assert_eq!(two.faults.iter().map(|fault| fault.channel).collect::<Vec<_>>(), [Some(2)]);
     assert_eq!(two.changes, "CHANDATA(2)\n_CHBIT[24]=1\n");
+}
+
+// oracle: manual B:14084-14093 (1, 2, 3; two geometry axes are no axis twice)
+#[test]
+fn a_missing_geometry_axis_gets_its_own_number() {
+    for (text, changes) in [
+        (
+            "MD20050=(0,0,0)",
+            "N20050 $MC_AXCONF_GEOAX_ASSIGN_TAB[0]=1\nN20050 $MC_AXCONF_GEOAX_ASSIGN_TAB[1]=2\n\
+             N20050 $MC_AXCONF_GEOAX_ASSIGN_TAB[2]=3\n",
+        ),
+        ("MD20050=(1,0,0)", "N20050 $MC_AXCONF_GEOAX_ASSIGN_TAB[1]=2\nN20050 $MC_AXCONF_GEOAX_ASSIGN_TAB[2]=3\n"),
+        ("MD20050=(1,0,2)", ""),
+        ("MD20050=(1,3,0)", ""),
+    ] {
+        let view = check(text);
+        assert!(view.faults.iter().all(|fault| fault.severity == Error) && !view.faults.is_empty(), "{text}");
+        assert_eq!(view.changes, changes, "{text}");
+    }
+}
+
+// oracle: manual B:13023, B:12971 (the two figures), hand (the control knows the name that it exported)
+#[test]
+fn a_line_to_change_has_the_name_of_the_export() {
+    let change = |text: &str| check(text).changes;
+    assert_eq!(change("N28040 $MC_MM_LUD_VALUES_MEM=12"), "N28040 $MC_MM_LUD_VALUES_MEM=16\n");
+    assert_eq!(change("$MN_MM_NUM_GUD_NAMES_NCK=12"), "$MN_MM_NUM_GUD_NAMES_NCK=30\n");
+    assert_eq!(change("MD28040=12"), "N28040 $MC_MM_NUM_LUD_VALUES_MEM=16\n");
+    assert_eq!(change("N18130 $MN_MM_NUM_GUD_NAMES_NCK=15"), "$MN_MM_NUM_GUD_NAMES_NCK=30\n");
+}
+
+// oracle: manual B:12971-12972 and B:12931-12946 (20 and 60 are enough, 30 and 100 recommended)
+#[test]
+fn what_is_only_recommended_prevents_nothing() {
+    let effect = |text: &str, without: &[Use]| {
+        let view = machine_check(MachineCheckRequest { without: without.to_vec(), ..asked(text) }).unwrap();
+        view.faults[0].effect.as_ref().map(|effect| effect.key.to_string())
+    };
+    for (text, key) in [
+        ("MD18120=29", "machine-need-reserve"),
+        ("MD18120=19", "machine-need-gud"),
+        ("MD18150=12", "machine-need-reserve"),
+        ("MD18130=60", "machine-need-reserve"),
+        ("MD11420=1", "machine-need-log-file"),
+        ("MD28082=32", "machine-need-basic-frame"),
+    ] {
+        assert_eq!(effect(text, &[Use::Jog]).as_deref(), Some(key), "{text}");
+    }
+}
+
+// oracle: hand (what no channel is said of is seen by each, and a line behind CHANDATA is that channel's)
+#[test]
+fn each_channel_gets_its_own_lines() {
+    let files = [("A.TEA", "CHANDATA(1)\nMD28020=200\nCHANDATA(2)\nMD28020=200"), ("B.DEF", "_SPEED[1]=0\n_CBIT[3]=0")];
+    let files = files.map(|(name, text)| ExportedFile { name: name.to_owned(), text: text.to_owned() }).to_vec();
+    let view = machine_check(MachineCheckRequest { files, ..asked("") }).unwrap();
+    assert_eq!(view.changes, "CHANDATA(1)\n_SPEED[1]=1000\nCHANDATA(2)\n_SPEED[1]=1000\n");
+    let inch = check("MD10240=0\n_SPEED[1]=0\n_TP[0,9]=0").changes;
+    assert_eq!(inch, "_TP[0,9]=0.0787\n_SPEED[1]=39.3701\n");
 }
 
 // oracle: hand
@@ -207,7 +281,9 @@ fn feeds_beyond_the_deflection_are_told_and_mended() {
     // without collision monitoring a touch on the way is not noticed
     assert_eq!(told(&with(&format!("{axis}_SPEED[1]=1000\n_CHBIT[2]=0"), 1.0)), []);
     let unknown = with("_SPEED[1]=1000", 1.0);
-    assert!(unknown.faults.is_empty() && unknown.axis.is_none());
+    assert!(unknown.axis.is_none());
+    assert_eq!(unknown.faults[0].message.key, "machine-check-no-axis"); // nothing was checked
+    assert_eq!(with(axis, 1.0).faults, []);
     assert!(unknown.missing.contains(&"MD32300 MAX_AX_ACCEL".to_owned()));
 }
 
@@ -261,15 +337,32 @@ proptest! {
     // oracle: self (the lines to change, read behind the export, leave nothing to change)
     #[test]
     fn applied_changes_leave_nothing_to_change(
-        values in prop::collection::vec((0..NEEDS.len(), 0_u32..1200, 0_u32..3), 1..40),
-        switches in prop::collection::vec((0_usize..8, 0_u8..3, 0_u32..3), 0..20),
+        values in prop::collection::vec((0..NEEDS.len(), 0_u32..1200, 0_u32..4, 0_u32..3, any::<bool>()), 1..40),
+        switches in prop::collection::vec((0_usize..13, 0_u8..3, 0_u32..4), 0..20),
+        lists in prop::collection::vec(any::<bool>(), 5),
+        metric in 0_u8..2,
     ) {
-        const USER: [&str; 8] = [
+        const USER: [&str; 13] = [
             "_CBIT[3]", "_CHBIT[24]", "_CBIT[13]", "_SPEED[1]", "_CM[5]", "_TP[0,9]", "_CVAL[0]", "_JM_I[2]",
+            "_CVAL[3]", "_EVMVNUM[0]", "_JM_I[1]", "_JM_I[4]", "_SPEED[0]",
         ];
-        let mut text = "DEF NCK REAL _TP[2,10]\nMD10240=1\n".to_owned();
-        for (at, value, channel) in values {
-            text += &format!("CHANDATA({channel})\n{}", line(NEEDS[at].number, f64::from(value)));
+        // of some of them the export has the array, a comment, a list that is too short, or nothing
+        const LISTS: [&str; 5] = [
+            "DEF NCK REAL _TP[2,10]", ";N111 DEF NCK REAL _TPW[3,10]", "DEF CHAN REAL _EV[10]",
+            "DEF CHAN REAL _SPEED[4]=(50)", "DEF NCK REAL _WP[2,11]",
+        ];
+        let mut text = format!("MD10240={metric}\n");
+        for (list, _) in LISTS.iter().zip(lists).filter(|(_, there)| *there) {
+            text += &format!("{list}\n");
+        }
+        for (at, value, channel, index, exported) in values {
+            let need = &NEEDS[at];
+            let index = if need.by_place { format!("[{index}]") } else { String::new() };
+            let name = format!("{}{index}", need.number);
+            let number = &need.number[2..];
+            let name = if exported { format!("N{number} $MX_OF_THE_EXPORT{index}") } else { spelled(&name) };
+            let value = if need.by_place { value % 4 } else { value };
+            text += &format!("CHANDATA({channel})\n{name}={}\n", written(need.number, f64::from(value)));
         }
         for (at, value, channel) in switches {
             text += &format!("CHANDATA({channel})\n{}={value}\n", USER[at]);

@@ -2,12 +2,14 @@
 
 use super::fault::{Files, MachineFault};
 use super::read::{Exported, shown};
+use crate::control::delivery::factor;
 use crate::control::gud::{Element, Gud, Initial};
 use crate::control::needs::Use;
-use crate::control::{Value, gud};
+use crate::control::{BASIC_SYSTEM, Units, Value, gud};
 use crate::diagnostic::Severity;
 use crate::message::Message;
 use Severity::{Error, Note, Warning};
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Counts of the fields, and the array of each (B:13345-13348, B:2316-2321); the alarm where they differ.
 const COUNTS: [(&str, &str, u32, &str); 6] = [
@@ -34,6 +36,12 @@ const ALARMS: [(&str, u32); 6] = [
     ("_TP[", 61309),
     ("_TPW[", 61309),
 ];
+
+/// Sizes of a tool probe that somebody has to enter before measuring in JOG (B:14294-14296).
+pub const TO_ENTER: [&str; 2] = ["E_MESS_MT_DL", "E_MESS_MT_DR"];
+
+/// Depth for measuring a radius as delivered, mm (B:13369).
+const DEPTH: f64 = 2.0;
 
 /// A switch that does nothing without another: the switch, what the other has to be, how bad it is, its place.
 const NEEDED: [(&str, &str, f64, Severity, &str); 5] = [
@@ -67,23 +75,32 @@ pub fn faults(given: &Exported, files: &Files, without: &[Use]) -> Vec<MachineFa
     unique(found)
 }
 
-/// Each fault once: what the control has is seen by every channel.
+/// Each fault once: what the control has is seen by every channel. A datum may have two causes that are said alike.
 fn unique(found: Vec<MachineFault>) -> Vec<MachineFault> {
-    let mut seen = std::collections::BTreeSet::new();
-    let key = |fault: &MachineFault| (fault.name.clone(), fault.channel, fault.message.key.clone());
-    found.into_iter().filter(|fault| seen.insert(key(fault))).collect()
+    let mut seen: BTreeMap<(String, Option<u32>), Vec<Message>> = BTreeMap::new();
+    let mut is_new = |fault: &MachineFault| {
+        let told = seen.entry((fault.name.clone(), fault.channel)).or_default();
+        let new = !told.contains(&fault.message);
+        told.push(fault.message.clone());
+        new
+    };
+    found.into_iter().filter(|fault| is_new(fault)).collect()
 }
 
 /// Sizes of arrays against what counts their fields, and against what a field holds.
 fn sizes(given: &Exported, files: &Files) -> Vec<MachineFault> {
     let mut found = Vec::new();
     for (count, array, alarm, source) in COUNTS {
-        let Some((sizes, place)) = given.sizes.get(array) else { continue };
-        let size = sizes.first().copied().unwrap_or(0) as f64;
-        for channel in given.channels() {
+        let defined = given.sizes.get(array).map(|(sizes, place)| (sizes.first().copied().unwrap_or(0) as f64, place));
+        let (key, (size, place)) = match (defined, given.removed.get(array)) {
+            (Some(defined), _) => ("machine-check-count", defined),
+            (None, Some(place)) => ("machine-check-no-array", (0.0, place)),
+            (None, None) => continue,
+        };
+        for channel in given.seeing(gud::named(count).is_some_and(|gud| gud.channel)) {
             let Some(number) = given.number(count, channel).filter(|number| *number != size) else { continue };
-            let message = Message::new("machine-check-count").text("array", array).number("size", size);
-            let fault = MachineFault::new(Error, count, message, source).value(number.to_string());
+            let message = Message::new(key).text("array", array).number("size", size);
+            let fault = MachineFault::new(Error, count, message, source).channel(channel).value(number.to_string());
             found.push(fault.at(Some(files.told(*place))).alarm(alarm).mended(size));
         }
     }
@@ -102,14 +119,20 @@ fn sizes(given: &Exported, files: &Files) -> Vec<MachineFault> {
 /// Values outside of what the tables allow.
 fn ranges(given: &Exported, files: &Files, without: &[Use]) -> Vec<MachineFault> {
     let mut found = Vec::new();
-    for ((name, channel), datum) in &given.data {
-        let Some((gud, at)) = gud::place(name) else { continue };
+    let behind = given.behind_lists().map(|(name, ..)| name);
+    let names: BTreeSet<String> = given.data.keys().map(|(name, _)| name.clone()).chain(behind).collect();
+    let of_user = names.iter().filter_map(|name| Some((name, gud::place(name)?)));
+    let seen = of_user.flat_map(|(name, (gud, at))| {
+        given.seeing(gud.channel).into_iter().map(move |channel| (name, channel, gud, at.clone()))
+    });
+    for (name, channel, gud, at) in seen {
+        let Some(datum) = given.get(name, channel) else { continue };
         let (Some(element), Value::Number(value)) = (gud.element(&at), &datum.value) else { continue };
         if element.internal || fits(element, *value) || unused(gud, without) {
             continue;
         }
         // no speed of positioning matters with collision monitoring only, no direction where the cycle has the speed
-        let watched = |switch: &str, as_delivered: f64| given.number(switch, *channel).unwrap_or(as_delivered);
+        let watched = |switch: &str, as_delivered: f64| given.number(switch, channel).unwrap_or(as_delivered);
         match name.as_str() {
             "_SPEED[1]" | "_SPEED[2]" if watched("_CHBIT[2]", 1.0) == 0.0 => continue,
             "_CM[5]" if watched("_CBIT[12]", 0.0) == 1.0 => continue,
@@ -119,11 +142,22 @@ fn ranges(given: &Exported, files: &Files, without: &[Use]) -> Vec<MachineFault>
             |(begin, _): &&(&str, u32)| name.starts_with(begin) && (!begin.ends_with('[') || at.get(1) == Some(&8));
         let alarm = ALARMS.iter().find(begins).map_or(0, |(_, alarm)| *alarm);
         let fault = MachineFault::new(Error, name, allowed(element, *value), element.source);
-        let fault = fault.channel(*channel).value(value.to_string()).at(Some(files.told(datum.place))).alarm(alarm);
+        let fault = fault.channel(channel).value(value.to_string()).at(Some(files.told(datum.place))).alarm(alarm);
         let Initial::Number(initial) = element.initial else { continue };
+        let initial = in_basic(initial / factor(element.unit, basic(given, channel)));
         found.push(if fits(element, initial) { fault.mended(initial) } else { fault });
     }
     found
+}
+
+/// The basic system of the control; none is given: metric.
+fn basic(given: &Exported, channel: u32) -> Units {
+    if given.number(BASIC_SYSTEM, channel) == Some(0.0) { Units::Inch } else { Units::Metric }
+}
+
+/// As a fitter types it.
+fn in_basic(value: f64) -> f64 {
+    (value * 1e4).round() / 1e4
 }
 
 /// Whether what a datum is for is not used on this machine.
@@ -234,7 +268,8 @@ impl Channel<'_> {
                 let of = |i: usize| format!("{array}[{k},{i}]");
                 if self.number(&of(9)) == Some(0.0) {
                     let fault = self.told(Error, &of(9), "machine-check-depth", "B:13369;A:15891");
-                    found.push(fault.alarm(61349).mended(2.0));
+                    let depth = in_basic(DEPTH / basic(self.given, self.channel).factor());
+                    found.push(fault.alarm(61349).mended(depth));
                 }
                 let axes = self.number(&of(7)).filter(|axes| (0.0..1000.0).contains(axes)).unwrap_or(0.0) as u32;
                 if [axes % 10, axes / 10 % 10, axes / 100].iter().any(|digit| *digit > 3) {
@@ -265,8 +300,7 @@ impl Channel<'_> {
     }
 
     fn measuring_in_jog(&self, found: &mut Vec<MachineFault>) {
-        for name in ["E_MESS_MT_DL", "E_MESS_MT_DR"].iter().flat_map(|name| (0..3).map(move |k| format!("{name}[{k}]")))
-        {
+        for name in TO_ENTER.iter().flat_map(|name| (0..MOST).map(move |k| format!("{name}[{k}]"))) {
             if self.number(&name) == Some(0.0) {
                 let fault = self.told(Error, &name, "machine-check-assign", "B:14294-14296;A:15406-15408");
                 found.push(fault.alarm(61230));

@@ -76,6 +76,7 @@ fn read(asked: &Arguments, setup: &mut Value, words: &Words) -> Result<bool, Pro
     let request = ReadBackRequest { setup: Some(serde_json::from_value(setup.clone())?), files };
     let back = app::read_back(request).map_err(|refused| file::wrong_files(&asked.files, refused.message))?;
     if let Value::Object(members) = setup {
+        members.insert("units".to_owned(), json!(back.machine.basic));
         members.insert("data".to_owned(), json!(back.machine.data));
         members.insert("definitions".to_owned(), json!(back.definitions));
     }

@@ -13,6 +13,8 @@ use crate::workpiece::{Body, Contact, Feeler, Obstacle, Touching};
 /// How far the ball is lifted off a face so that it does not touch, and how far is looked for what is opposite, mm.
 const JUST_FREE: f64 = 0.01;
 const WIDEST: f64 = 1000.0;
+/// Most feeds that are remembered as told.
+const FEEDS: usize = 1000;
 
 impl Sim {
     /// Whether the simulated probe is in use: type 710 or 580, or a measuring cycle of workpieces is running. Any other
@@ -159,10 +161,14 @@ impl Sim {
     }
 
     /// What the probe has to take, as the axis goes on after the signal: the measured value is latched before. It is
-    /// told where the machine says how it stops, and again when the feed is another.
+    /// told where the machine says how it stops, once for each feed: two of them take turns where the first touch is a
+    /// fast one (B:14013).
     fn tell_deflection(&mut self, feed: f64) {
-        let Some(told) = self.control.deflection_at(feed).filter(|_| self.deflected_at != Some(feed)) else { return };
-        self.deflected_at = Some(feed);
+        let known = |feed: f64| self.deflected_at.contains(&feed.to_bits());
+        let Some(told) = self.control.deflection_at(feed).filter(|_| !known(feed)) else { return };
+        if self.deflected_at.len() < FEEDS {
+            self.deflected_at.insert(feed.to_bits());
+        }
         let key = if told.is_too_far() { "run-deflected-too-far" } else { "run-deflected" };
         let message = Message::new(key).number("feed", feed).number("path", told.told());
         self.note(Step::Decision { message: message.number("deflection", told.permitted) });

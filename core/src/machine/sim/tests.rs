@@ -291,7 +291,7 @@ fn what_the_probe_takes_is_told_and_nothing_measured_changes() {
     let axis = [("MD10050", 0.004), ("MD10070", 4.0), ("MD32300", 1.0), ("MD32200", 1.0)];
     axis.iter().for_each(|(name, value)| told.control.set(*name, *value));
     told.control.deflection = Some(0.3);
-    for feed in [150.0, 150.0, 300.0] {
+    for feed in [150.0, 150.0, 300.0, 150.0, 300.0] {
         let latched = plain.probe(Wcs([0.0, 0.0, -10.0]), feed).unwrap();
         assert_eq!(told.probe(Wcs([0.0, 0.0, -10.0]), feed).unwrap(), latched);
         assert_eq!(told.position, plain.position);

@@ -226,6 +226,7 @@ fn what_is_no_measuring_call_stays() {
 #[test]
 fn results_that_are_read_are_told() {
     let read = |text: &str| told(text).into_iter().filter(|(key, ..)| key == "older-result").count();
+    assert_eq!(read("R23=1\nL977\nR50=R50+R45"), 2, "each of a block");
     assert_eq!(read("R23=1\nL977\nIF R43>5\nM0\nENDIF\nX=R200\n"), 2);
     assert_eq!(read("X=R43\nR23=1\nL977\nR43=1\nX=R43 Y=R1\n"), 0);
 }

@@ -61,7 +61,8 @@ struct Walk<'a> {
     met: BTreeMap<u32, Met>,
     /// Assignments that something else reads.
     read: BTreeSet<u32>,
-    results: BTreeMap<u32, (u16, Span)>,
+    /// Results that a word reads, by its first byte and their number.
+    results: BTreeMap<(u32, u16), (u16, Span)>,
     unclear: Option<Span>,
 }
 
@@ -150,7 +151,7 @@ impl Walk<'_> {
             } else if let Some(number) = name.strip_prefix('R').and_then(|digits| digits.parse().ok()) {
                 self.read.extend(state.given.get(&number).into_iter().flatten());
                 if state.measured && is_result(number) && !state.fresh.contains(&number) {
-                    self.results.insert(word.span.start, (number, word.span));
+                    self.results.insert((word.span.start, number), (number, word.span));
                 }
             }
         }

@@ -3,7 +3,7 @@
 
 use super::machine::{differing, head, listed, places, value, written};
 use crate::control::gud::{self, Block, Gud, Initial, Kind};
-use crate::control::{Control, Value};
+use crate::control::{CALIBRATED, Control, Units, Value, arrays::stem};
 use std::fmt::Write;
 
 /// A definition file of the measuring cycles (B:13082-13087, B:14157-14168).
@@ -25,18 +25,35 @@ pub static FILES: [DefinitionFile; 3] = [
 pub const VALUES: &str = "%_N_PW_MEAS_VALUES_MPF";
 
 /// How many tool probes there are, by which the arrays of measuring in JOG are sized (B:14217-14225).
-const TOOL_PROBES: &str = "_CVAL[0]";
+pub const TOOL_PROBES: &str = "_CVAL[0]";
 /// Data that size others: they stand in a definition, since a program cannot make an array larger.
 const SIZES: [&str; 2] = ["_CVAL", "_EVMVNUM"];
 /// Memories: their values belong to the user (B:13089-13091).
-const MEMORIES: [&str; 2] = ["_EV", "_MV"];
+pub const MEMORIES: [&str; 2] = ["_EV", "_MV"];
 /// Wipes all arrays at the next call (B:13644).
 const WIPES: &str = "_CBIT[13]";
+
+/// A machine as its files have it: nothing that wipes arrays, and the switches of units as the basic system wants them,
+/// in which the values are written. With others the next call would convert them (B:13594-13598).
+pub fn as_written(control: &Control) -> Control {
+    let mut control = control.clone();
+    control.settle_units();
+    control.set(WIPES, 0.0);
+    control
+}
+
+/// What the delivered files have, those of a metric machine (B:13565, B:13883): on a machine in inch every length and
+/// speed differs. What calibration writes counts as delivered where the machine has it as its system is delivered.
+pub fn as_delivered(control: &Control) -> Control {
+    let mut delivered = control.delivered_alike(Units::Metric);
+    let own = control.delivered_alike(control.basic_units).data;
+    for (name, value) in own.iter().filter(|(name, _)| stem(name) == CALIBRATED) {
+        delivered.data.insert(name.clone(), value.clone());
+    }
+    delivered
+}
 /// Arrays of tool probes.
 const OF_TOOL_PROBES: [&str; 2] = ["_TP", "_TPW"];
-/// What calibration writes. Its values as delivered are 0, those of the core's own machine are for the simulation: in a
-/// definition they would make a probe look calibrated that is not (B:13442-13450, B:13281).
-pub const CALIBRATED: &str = "_WP";
 /// Elements of a tool probe that a list shorter than its array leaves at 0, where no measuring is possible.
 const ALWAYS: [usize; 3] = [7, 8, 9];
 /// Most characters of a block of the program.
@@ -80,7 +97,7 @@ fn line(gud: &Gud, control: &Control, delivered: &Control) -> String {
     if gud.block == Block::Gud5 {
         return head; // memories begin with 0
     }
-    let values = listed(places(&sizes).iter().map(|at| element(gud, at, control, delivered)));
+    let values = listed(places(&sizes).iter().map(|at| element(gud, at, control, delivered)), sizes.len());
     let list = if gud.block == Block::Gud7 { "SET" } else { "" };
     if values.is_empty() { head } else { format!("{head}={list}({values})") }
 }
@@ -117,6 +134,11 @@ pub fn size(control: &Control, gud: &Gud) -> Vec<usize> {
         *first = count(TOOL_PROBES).clamp(1, LARGEST);
     }
     sizes
+}
+
+/// The names of its elements on this machine.
+pub fn elements(control: &Control, gud: &Gud) -> Vec<String> {
+    places(&size(control, gud)).iter().map(|at| gud.spelled(at)).collect()
 }
 
 /// The datum that counts the fields of an array.
@@ -160,7 +182,7 @@ pub fn values(control: &Control, delivered: &Control) -> String {
             let place = gud::place(name).filter(|(one, _)| one.name == gud.name);
             place.is_some_and(|(_, at)| at.iter().zip(&counted).all(|(index, size)| index < size))
         };
-        names.extend(changed.iter().filter(there).filter(|name| *name != WIPES).cloned());
+        names.extend(changed.iter().filter(there).cloned());
         names.sort_by_cached_key(|name| gud::place(name).map(|(_, at)| at));
         names.dedup();
         let all = names.iter().map(|name| format!("{name}={}", written(&value(control, name))));
@@ -203,9 +225,11 @@ mod tests {
     use crate::dialect::Dialect;
 
     fn changed(values: &[(&str, f64)]) -> (Control, Control) {
-        let delivered = delivery(Dialect::Sinumerik);
-        let mut control = delivered.clone();
+        let mut control = delivery(Dialect::Sinumerik);
         values.iter().for_each(|(name, value)| control.set(*name, *value));
+        control.fill_fields();
+        let control = as_written(&control);
+        let delivered = as_delivered(&control);
         (control, delivered)
     }
 
@@ -237,7 +261,7 @@ mod tests {
         assert_eq!(of("GUD5.DEF", &machine), ["DEF CHAN REAL _EV[10]", "DEF CHAN REAL _MV[10]"]);
         let gud6 = of("GUD6.DEF", &machine);
         for line in [
-            "N10 DEF NCK INT _CVAL[4]=(2,2)",
+            "N10 DEF NCK INT _CVAL[4]=(2,2,0,0)",
             "N11 DEF NCK REAL _TP[2,10]=(0,0,0,0,0,0,0,133,0,2,0,0,0,0,0,0,0,133,0,2)",
             ";N13 DEF NCK REAL _KB[1,7]",
             ";N111 DEF NCK REAL _TPW[1,10]",

@@ -86,7 +86,7 @@ fn definition(control: &Control, gud: &Gud) -> String {
     }
     let count: Vec<String> = sizes.iter().map(usize::to_string).collect();
     let line = format!("{line}[{}]", count.join(","));
-    let values = listed(places(&sizes).iter().map(|at| value(control, &gud.spelled(at))));
+    let values = listed(places(&sizes).iter().map(|at| value(control, &gud.spelled(at))), sizes.len());
     if values.is_empty() { line } else { format!("{line}=({values})") }
 }
 
@@ -95,12 +95,12 @@ pub(super) fn head(gud: &Gud) -> String {
     format!("DEF {} {} {}", if gud.channel { "CHAN" } else { "NCK" }, gud.kind.name(), gud.name)
 }
 
-/// Values of a list as it is written; what it leaves out at the end is 0.
-pub(super) fn listed(values: impl Iterator<Item = Value>) -> String {
+/// Values of a list as it is written: those of one dimension complete, as the manual prints them (B:13276, B:13286);
+/// what a longer one leaves out at the end is 0. Empty: all are 0.
+pub(super) fn listed(values: impl Iterator<Item = Value>, dimensions: usize) -> String {
     let mut values: Vec<String> = values.map(|value| written(&value)).collect();
-    while values.last().is_some_and(|value| value == "0") {
-        values.pop();
-    }
+    let last = values.iter().rposition(|value| value != "0");
+    values.truncate(if dimensions == 1 && last.is_some() { values.len() } else { last.map_or(0, |last| last + 1) });
     values.join(",")
 }
 
@@ -157,7 +157,7 @@ mod tests {
         let text = definitions(&control, &delivered);
         // oracle: manual B:13278-13283 (the example; its list goes on with the second probe here)
         for line in [
-            "DEF NCK INT _CVAL[4]=(2,2)",
+            "DEF NCK INT _CVAL[4]=(2,2,0,0)",
             "DEF NCK REAL _TP[2,10]=(0,0,0,0,0,0,0,133,0,2,0,0,0,0,0,0,0,133,0,2)",
             ";DEF NCK REAL _KB not present",
             "DEF CHAN INT _EVMVNUM[2]=(10,10)",
