@@ -59,8 +59,14 @@ impl fmt::Display for Cited {
     }
 }
 
+/// Begins a source that is no manual: the published files and programs behind it.
+pub const PRACTICE: &str = "practice: ";
+
 /// The lines of manuals that a text names, as titles, editions and chapters; empty: it names none.
 pub fn looked_up(text: &str) -> String {
+    if let Some(others) = text.strip_prefix(PRACTICE) {
+        return others.to_owned();
+    }
     let mut told = String::new();
     let mut said: Vec<(char, &str)> = Vec::new();
     for place in cited(text) {

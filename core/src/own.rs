@@ -228,6 +228,7 @@ sentences! {
     CONVERT_NEWER 188 Error "convert-newer" "convert-newer-hint";
     WRITE_NEWER 188 Error "write-newer" "write-no-list-hint";
     NEWER_TARGET 189 Warning "newer-target" "newer-target-hint";
+    NEWER_TARGET_PERHAPS 189 Note "newer-target-perhaps" "newer-target-perhaps-hint";
     WRITE_NEWER_TOOL 189 Error "write-newer-tool" "write-no-list-hint";
     WRITE_NEWER_ZERO 189 Error "write-newer-zero" "write-no-list-hint";
     WRITE_EXPRESSION_LOST 190 Error "write-expression-lost" "write-no-list-hint";
@@ -239,7 +240,9 @@ sentences! {
     REVISE_KEPT 193 Note "revise-kept" "";
     REVISE_SHARED 193 Note "revise-shared" "";
     NEWER_LOST 194 Error "newer-lost" "newer-lost-hint";
+    NEWER_LOST_BETWEEN 194 Error "newer-lost-between" "newer-lost-hint";
     NEWER_MANY 194 Error "newer-many" "newer-many-hint";
+    NEWER_MANY_BETWEEN 194 Error "newer-many-between" "newer-many-hint";
     NEWER_INCH 195 Warning "newer-inch" "newer-inch-hint";
     WRITE_DIRECTION 196 Warning "write-direction" "write-direction-hint";
     WRITE_INFEED 196 Warning "write-infeed" "write-infeed-hint";
@@ -262,6 +265,7 @@ sentences! {
     FOREIGN_RANGE 202 Error "foreign-range" "foreign-range-hint";
     FOREIGN_LIMITS 202 Warning "foreign-limits" "foreign-limits-hint";
     NEWER_UNSIMULATED 203 Note "newer-unsimulated" "";
+    NEWER_OMITTED 203 Note "newer-omitted" "";
     NEWER_INFEED 203 Note "newer-infeed" "newer-infeed-hint";
     OLDER_CALL 210 Warning "older-call" "older-call-hint";
     OLDER_ID 211 Warning "older-open-id" "older-open-hint";
@@ -293,9 +297,14 @@ sentences! {
     WRITE_UNPUBLISHED 226 Error "write-unpublished" "write-no-list-hint";
     WRITE_UNPUBLISHED_VARIANT 226 Error "write-unpublished-variant" "write-no-list-hint";
     NEWER_ALONE 227 Note "newer-alone" "";
+    NEWER_LOST_PERHAPS 228 Note "newer-lost-perhaps" "newer-perhaps-hint";
+    NEWER_MANY_PERHAPS 228 Note "newer-many-perhaps" "newer-perhaps-hint";
+    NEWER_FINE 229 Note "newer-fine" "newer-fine-hint";
     NEWER_AWAY 230 Error "newer-away" "newer-away-hint";
     WRITE_ASSIGNED 231 Note "write-assigned" "write-assigned-hint";
     CONVERT_UNUSED 232 Note "convert-unused" "";
+    FOREIGN_LOG 233 Note "foreign-is-log" "foreign-is-log-hint";
+    NEWER_PLACES 234 Note "newer-places" "";
     NEWER_CENTRE_MISSING 237 Warning "newer-centre-missing" "newer-centre-missing-hint";
     NEWER_CENTRE_UNUSED 237 Warning "newer-centre-unused" "newer-centre-unused-hint";
     NEWER_NO_LIST 238 Warning "newer-no-list" "newer-no-list-hint";

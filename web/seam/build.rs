@@ -5,7 +5,6 @@
 mod ask;
 
 use ask::{Answers, Scanned, Seam, Seen, beside, cycles, numbers, of_cycle};
-use probewright_core::dialect::Dialect;
 use probewright_core::scene::Scene;
 use probewright_core::{app, encoding, json};
 use std::path::Path;
@@ -47,7 +46,7 @@ const CORE: Seam = Seam {
     recognise: |bytes| {
         let mut recogniser = encoding::Recogniser::default();
         recogniser.take(bytes);
-        json::text(&app::Recognised::of(recogniser.finish(), Dialect::told(bytes)))
+        json::text(&app::Recognised::of(recogniser.finish(), app::FileHead::of(bytes)))
     },
     seen: |question| {
         let view = json::question(question).and_then(app::form).map_err(|error| error.to_string())?;

@@ -2,7 +2,6 @@
 
 use crate::scene::Scene;
 use crate::steps::Steps;
-use probewright_core::dialect::Dialect;
 use probewright_core::scene::Source;
 use probewright_core::{app, encoding, json};
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -507,7 +506,7 @@ pub fn record_table(request: &str, say: &js_sys::Function) -> Result<String, JsE
 pub struct Recogniser {
     bytes: encoding::Recogniser,
     /// What the first piece tells; none: nothing was taken yet.
-    told: Option<Option<Dialect>>,
+    told: Option<app::FileHead>,
 }
 
 #[wasm_bindgen]
@@ -521,13 +520,13 @@ impl Recogniser {
 
     /// The next bytes of the file.
     pub fn take(&mut self, bytes: &[u8]) {
-        self.told.get_or_insert_with(|| Dialect::told(bytes));
+        self.told.get_or_insert_with(|| app::FileHead::of(bytes));
         self.bytes.take(bytes);
     }
 
     /// What all of them are, as a `Recognised`.
     #[must_use]
     pub fn finish(self) -> String {
-        json::text(&app::Recognised::of(self.bytes.finish(), self.told.flatten()))
+        json::text(&app::Recognised::of(self.bytes.finish(), self.told.unwrap_or_default()))
     }
 }

@@ -2699,6 +2699,8 @@ export type Recognised = {
   encoding: Encoding,
   /** The control that its beginning tells; absent: it tells none. */
   control?: Dialect,
+  /** That it is the log of measurements, which is opened beside its program; absent: it is none. */
+  log?: Message,
 } | {
   /** What it is instead. */
   why: Message,

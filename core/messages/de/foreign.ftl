@@ -21,6 +21,9 @@ foreign-place = { $control } fährt die Messpunkte selbst an. { $names } gelten 
 foreign-usual = Nicht in diesem Aufruf, mit dem üblichen Wert geschrieben: { $names }.
 foreign-datum = { $control } speichert Bezugspunkte in Tabellen: Q305=0 setzt den aktiven Bezugspunkt, eine andere Nummer eine Zeile der Tabelle.
 foreign-zero-lost = Die Nullpunktverschiebung { $value } hat bei { $control } keine Entsprechung: Der Aufruf misst nur. Um einen Bezugspunkt zu setzen, eine Nullpunktverschiebung von G54 bis G59 eingeben.
+foreign-zero-active = Nullpunktverschiebung { $value }: Auf { $control } setzt der Aufruf den aktiven Bezugspunkt. Den gemeinten vorher aktivieren.
+foreign-is-log = Dies ist ein Messprotokoll von { $control } und kein Programm.
+foreign-is-log-hint = Mit probewright read lesen oder als Werte der Maschine auf ein Programm legen.
 foreign-of = Parameter von { $control }: { $text }
 foreign-log = Messprotokoll von { $cycle }, { $program }, { $date } { $time }, Längen in { $unit }
 foreign-source = Quelle: { $source }

@@ -16,6 +16,8 @@ newer-seen = { $param } = { $value }: Programme neuerer Steuerungen haben dort e
 newer-beyond = Von { $cycle } sind { $most } Argumente veröffentlicht. Was dahinter steht, bleibt unverändert; seine Bedeutung ist unbekannt.
 newer-target = { $value } steht in Argument 2, bei neueren Steuerungen die NV-Nummer; diese Messvariante korrigiert aber keine NV.
 newer-target-hint = NV: 3. Stelle von Argument 1 auf 1 setzen. Werkzeug: Argument 3 (S_KNUM1) verwenden. Sonst Argument 2 leer lassen.
+newer-target-perhaps = { $value } in Argument 2 ist keine bekannte Nullpunktverschiebung. Auf älteren Steuerungen ist eine solche Zahl ein Werkzeug oder ein anderes Frame.
+newer-target-perhaps-hint = NV: 1–99, 10001–10099. Werkzeug: Argument 3 (S_KNUM1). Oder Argument 2 leer lassen: Nichts wird korrigiert.
 write-newer-tool = Neuere Steuerungen erwarten die Werkzeugkorrektur in Argument 3 (S_KNUM1, siehe Alarm 61328); Code unbekannt.
 write-newer-zero = NV { $value } ist in der Argumentliste neuerer Steuerungen unbekannt; bekannt: 1–99, 10001–10099, 9000, 9999, 19999.
 write-newer = { $param } = { $value } bedeutet in der Argumentliste neuerer Steuerungen etwas anderes, oder die Bedeutung ist unbekannt.
@@ -23,9 +25,15 @@ convert-newer = { $param } = { $value }: Die ältere Argumentliste hat keine Ent
 convert-newer-hint = Aufruf so lassen oder die Messung in der Maske neu eingeben.
 
 newer-lost = Vor Platz { $place } fehlt ein Argument: Alles dahinter steht einen Platz zu früh.
+newer-lost-between = Zwischen Platz { $place } und { $until } fehlt ein Argument: Alles dahinter steht einen Platz zu früh.
 newer-lost-hint = Für das fehlende Argument ein Komma einfügen.
 newer-many = An Platz { $place } steht ein Argument zu viel: Alles dahinter steht einen Platz zu spät.
+newer-many-between = Zwischen Platz { $place } und { $until } steht ein Argument zu viel: Alles dahinter steht einen Platz zu spät.
 newer-many-hint = Das überzählige Komma löschen.
+newer-places = { $cycle } ist mit 5 Plätzen veröffentlicht, zwei davon ohne Namen. Bei { $count } Argumenten ist offen, welche davon S_PROT und S_PATH sind.
+newer-lost-perhaps = { $name } = { $value } steht in keinem veröffentlichten Programm. Mit einem Argument mehr zwischen Platz { $place } und { $until } wäre der Aufruf wie in Programmen.
+newer-many-perhaps = { $name } = { $value } steht in keinem veröffentlichten Programm. Mit einem Komma weniger zwischen Platz { $place } und { $until } wäre der Aufruf wie in Programmen.
+newer-perhaps-hint = Argumente zählen. Ist der Aufruf so richtig, bleibt er stehen.
 newer-inch = S_FA = { $value } ist das 25,4-Fache von { $meant }: Ein Messweg in mm wurde umgerechnet, als wäre er in Zoll.
 newer-inch-hint = Messweg in mm eingeben.
 newer-set-variant = Argument 1 auf { $value } setzen
@@ -52,6 +60,14 @@ argument-zero-coarse = { $name }, grob
 argument-zero-used = In Gebrauch, Bedeutung nicht veröffentlicht
 argument-tool = Werkzeug, das korrigiert wird
 argument-ball = Durchmesser der Kalibrierkugel
+argument-probe = Nummer des Messtasters
+argument-tool-probe = Nummer des Werkzeugmesstasters
+argument-points = Abstände X1 und X2 oder Punkte P1 (X1, Y1) bis P4 (X4, Y4)
+argument-points-help = Die Messvariante entscheidet; ihre Nummern sind nicht veröffentlicht.
+argument-safe = Vertrauensbereich
+argument-safe-help = Alarm 61303 nennt ihn; von wo er in diesem Zyklus zählt, ist nicht veröffentlicht.
+argument-vectors = Grenze der berechneten Vektoren
+argument-vectors-help = Rundachspositionen mit weniger als 20 Grad Abstand sind unzuverlässig (Alarm 61430, G).
 argument-probing-angle = Antastwinkel
 argument-probing-angle-help = Von −359 bis 359 Grad. Ältere Steuerungen haben in diesem Zyklus keinen.
 argument-infeed = Zustellung auf Messhöhe
@@ -99,11 +115,14 @@ newer-cycle996 = Misst die Kinematik der Rundachsen, eine Stellung
 newer-cycle9960 = Misst die Kinematik als Ganzes
 newer-cycle150 = Zeigt die Ergebnisse am Bildschirm und schreibt das Protokoll
 newer-unsimulated = { $param } wird geschrieben und nicht simuliert.
+newer-omitted = { $param } fehlt und ist damit 0: Was die Steuerung dann tut, ist nicht veröffentlicht; der Aufruf wird nicht simuliert.
 newer-alone = { $cycle } wird nicht simuliert: Ältere Steuerungen haben keinen solchen Zyklus, und die Ziffern seiner Argumente sind nicht veröffentlicht.
-newer-infeed = Ein positives { "_ID" } wird geschrieben und nicht simuliert.
-newer-infeed-hint = Programme neuerer Steuerungen sind sich über das Vorzeichen nach unten uneins: Negativ simuliert es die Maske.
+newer-infeed = { "S_ID" } = { $value }: Welches Vorzeichen nach unten führt, ist nicht veröffentlicht; der Aufruf wird nicht simuliert.
+newer-infeed-hint = Programme neuerer Steuerungen sind sich über das Vorzeichen uneins. An der Maschine weit über dem Teil testen.
 newer-away = { "S_MD" } = { $value } führt vom Sollwert weg: Der Messtaster steht auf der anderen Seite. Was die Steuerung dann tut, ist nicht veröffentlicht; der Lauf hält hier an.
 newer-away-hint = Messtaster auf der anderen Seite der Fläche positionieren oder die Messrichtung ändern.
+newer-fine = { $value } korrigiert den Grobanteil, und der Feinanteil ist nicht 0. Was aus ihm wird, legt MD 51740 fest, dessen Bit nicht veröffentlicht ist; der Lauf hält hier an.
+newer-fine-hint = Feinanteil der NV vor dem Aufruf löschen oder den Feinanteil korrigieren.
 newer-centre-missing = { "_AMODE" } = 11 heißt, dass der Aufruf den Mittelpunkt angibt; S_XM und S_YM sind aber leer.
 newer-centre-missing-hint = Mittelpunkt in S_XM und S_YM eingeben oder { "_AMODE" } auf 1 setzen.
 newer-centre-unused = S_XM und S_YM geben den Mittelpunkt an, { "_AMODE" } ist aber { $value }: Programme haben dann dort 11.

@@ -100,6 +100,7 @@ run-program-unknown = { $count ->
        *[other] Der Text enthält kein Programm „{ $word }“. Er enthält: { $names }.
     }
 run-foreign = Programm für { $control }, Tastsystemzyklen: { $count }. Es wird gelesen, geprüft und erklärt, hier aber nicht ausgeführt.
+run-foreign-log = Dies ist ein Messprotokoll von { $control } und kein Programm: Nichts wird ausgeführt.
 run-unread-value = Der Wert von „{ $word }“ ist unbekannt: Zeile { $line } wurde nicht vollständig ausgeführt.
 run-unread-way = „{ $word }“ ist nicht lesbar; davon hängt ab, welcher Satz folgt.
 run-ended = Das Programm ist bis zum Ende gelaufen.

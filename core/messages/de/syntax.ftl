@@ -51,3 +51,4 @@ file-archive = Es ist ein Archiv, etwa ZIP oder ein Office-Dokument; entpacken o
 file-pdf = Es ist ein PDF-Dokument; eine Textdatei wählen
 file-document = Es ist ein Office-Dokument; als Text speichern
 file-binary = Die Datei enthält keinen Text; eine Textdatei wählen
+file-log = Es ist ein Messprotokoll von { $control }; das Programm öffnen, das gemessen hat, und diese Datei unter „Von der Maschine“

@@ -21,6 +21,9 @@ foreign-place = { $control } moves to the measuring points by itself. { $names }
 foreign-usual = Not in this call, written with the usual value: { $names }.
 foreign-datum = { $control } keeps datums in tables: Q305=0 sets the active datum, another number a row of the table.
 foreign-zero-lost = Zero offset { $value } has no counterpart on { $control }: the call only measures. To set a datum, enter a zero offset from G54 to G59.
+foreign-zero-active = Zero offset { $value }: on { $control } the call sets the datum that is active. Activate the one that is meant before it.
+foreign-is-log = This is a measuring log of { $control } and no program.
+foreign-is-log-hint = Read it with probewright read, or lay it onto a program as values of the machine.
 foreign-of = Parameter of { $control }: { $text }
 foreign-log = Log of { $cycle }, { $program }, { $date } { $time }, lengths in { $unit }
 foreign-source = Source: { $source }

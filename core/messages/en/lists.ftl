@@ -16,6 +16,8 @@ newer-seen = { $param } = { $value }: programs of newer controls have another nu
 newer-beyond = { $cycle } has { $most } published arguments. What is behind them is kept as written; its meaning is not known.
 newer-target = { $value } is in argument 2, where newer controls expect the number of a zero offset, but this variant corrects no zero offset.
 newer-target-hint = Zero offset: set the 3rd digit of argument 1 to 1. Tool: use argument 3 (S_KNUM1). Or leave argument 2 empty.
+newer-target-perhaps = { $value } in argument 2 is no zero offset that is known. On older controls such a number is a tool or a frame of another kind.
+newer-target-perhaps-hint = Zero offset: 1–99, 10001–10099. Tool: argument 3 (S_KNUM1). Or leave argument 2 empty: nothing is corrected.
 write-newer-tool = Newer controls have the tool target in argument 3 (S_KNUM1, see alarm 61328); its code is not known.
 write-newer-zero = Zero offset { $value } is not known in the list of newer controls: 1–99, 10001–10099, 9000, 9999, 19999 are.
 write-newer = { $param } = { $value } has another meaning in the argument list of newer controls, or its meaning is not known.
@@ -23,9 +25,15 @@ convert-newer = { $param } = { $value }: the older argument list has no equivale
 convert-newer-hint = Keep the call as it is, or enter the measurement again in its form.
 
 newer-lost = An argument before place { $place } is missing: everything behind it is one place too early.
+newer-lost-between = An argument is missing between places { $place } and { $until }: everything behind it is one place too early.
 newer-lost-hint = Add a comma for the missing argument.
 newer-many = A surplus argument is at place { $place }: everything behind it is one place too late.
+newer-many-between = A surplus argument is between places { $place } and { $until }: everything behind it is one place too late.
 newer-many-hint = Delete the surplus comma.
+newer-places = { $cycle } is published with 5 places, two of them without a name. With { $count } arguments it is open which of them are S_PROT and S_PATH.
+newer-lost-perhaps = { $name } = { $value } is in no published program. With one more argument, between places { $place } and { $until }, the call would be as programs have it.
+newer-many-perhaps = { $name } = { $value } is in no published program. With one comma less, between places { $place } and { $until }, the call would be as programs have it.
+newer-perhaps-hint = Count the arguments. If the call is right as it stands, leave it.
 newer-inch = S_FA = { $value } is 25.4 times { $meant }: a measuring path in mm was converted as if it were in inches.
 newer-inch-hint = Enter the measuring path in mm.
 newer-set-variant = Set argument 1 to { $value }
@@ -52,6 +60,14 @@ argument-zero-coarse = { $name }, coarse
 argument-zero-used = In use, meaning not published
 argument-tool = Tool that is corrected
 argument-ball = Diameter of the calibration ball
+argument-probe = Number of the probe
+argument-tool-probe = Number of the tool probe
+argument-points = Distances X1 and X2, or points P1 (X1, Y1) to P4 (X4, Y4)
+argument-points-help = The variant decides which; its numbers are not published.
+argument-safe = Safe area
+argument-safe-help = Alarm 61303 names it; from where it counts in this cycle is not published.
+argument-vectors = Limit of the calculated vectors
+argument-vectors-help = Rotary axis positions less than 20 degrees apart are unreliable (alarm 61430, G).
 argument-probing-angle = Probing angle
 argument-probing-angle-help = From −359 to 359 degrees. Older controls have none in this cycle.
 argument-infeed = Infeed to the measuring height
@@ -99,11 +115,14 @@ newer-cycle996 = Measures the kinematics of rotary axes, one position
 newer-cycle9960 = Measures the kinematics as a whole
 newer-cycle150 = Shows the results on the screen and writes the log
 newer-unsimulated = { $param } is written and not simulated.
+newer-omitted = { $param } is omitted, and so 0: what the control does then is not published, and the call is not simulated.
 newer-alone = { $cycle } is not simulated: older controls have no such cycle, and the digits of its arguments are not published.
-newer-infeed = A positive { "_ID" } is written and not simulated.
-newer-infeed-hint = Programs of newer controls disagree about the sign that leads down: with a negative one the form simulates it.
+newer-infeed = { "S_ID" } = { $value }: which sign leads down is not published, so that the call is not simulated.
+newer-infeed-hint = Programs of newer controls disagree about the sign. Try it on the machine, well above the part.
 newer-away = { "S_MD" } = { $value } leads away from the setpoint: the probe is on its other side. What the control does then is not published; the run stops here.
 newer-away-hint = Position the probe on the other side of the surface, or change the measuring direction.
+newer-fine = { $value } corrects the coarse part, and the fine part is not 0. What becomes of it is set in MD 51740, whose bit is not published; the run stops here.
+newer-fine-hint = Delete the fine part of the zero offset before the call, or correct the fine part.
 newer-centre-missing = { "_AMODE" } = 11 says that the call gives the centre, but S_XM and S_YM are empty.
 newer-centre-missing-hint = Enter the centre in S_XM and S_YM, or set { "_AMODE" } to 1.
 newer-centre-unused = S_XM and S_YM give the centre, but { "_AMODE" } is { $value }: programs then have 11 there.

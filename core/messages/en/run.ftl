@@ -100,6 +100,7 @@ run-program-unknown = { $count ->
        *[other] There is no program “{ $word }” in this text. Programs in it: { $names }.
     }
 run-foreign = Program of { $control }, probe cycles: { $count }. It is read, checked and explained; here it is not run.
+run-foreign-log = This is a measuring log of { $control } and no program: nothing is run.
 run-unread-value = The value of “{ $word }” is not known: line { $line } was not executed in full.
 run-unread-way = “{ $word }” cannot be read, and which block follows depends on it.
 run-ended = The program ran to its end.

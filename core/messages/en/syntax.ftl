@@ -51,3 +51,4 @@ file-archive = it is an archive, such as ZIP or an office document; unpack it, o
 file-pdf = it is a PDF document; choose a text file
 file-document = it is an office document; save it as text
 file-binary = it contains no text; choose a text file
+file-log = it is a measuring log of { $control }; open the program that measured, and this file at “From the machine”

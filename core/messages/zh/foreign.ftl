@@ -21,6 +21,9 @@ foreign-place = { $control } 自行移动到测量点。{ $names } 按起点位�
 foreign-usual = 此调用中没有，按常用值填写：{ $names }。
 foreign-datum = { $control } 将原点保存在表中：Q305=0 设置当前原点，其他编号设置表中的一行。
 foreign-zero-lost = 零点偏移 { $value } 在 { $control } 上没有对应编号：该调用只测量。要设置原点，请输入 G54 至 G59 的零点偏移。
+foreign-zero-active = 零点偏移 { $value }：在 { $control } 上，该调用设定当前有效的基准点。请先激活所要的基准点。
+foreign-is-log = 这是 { $control } 的测量记录，不是程序。
+foreign-is-log-hint = 请用 probewright read 读取，或作为机床的值放到程序上。
 foreign-of = { $control } 的参数：{ $text }
 foreign-log = { $cycle } 的测量记录，{ $program }，{ $date } { $time }，长度单位 { $unit }
 foreign-source = 来源：{ $source }

@@ -16,6 +16,8 @@ newer-seen = { $param } = { $value }：新型控制系统的程序在此处用�
 newer-beyond = { $cycle } 公开的参数有 { $most } 个。其后的内容按原样保留，含义未知。
 newer-target = 第 2 个参数写了 { $value }：新型控制系统在该处写零点偏移号，而此测量方式不补偿零点偏移。
 newer-target-hint = 请把第 1 个参数的第 3 位设为 1（零点偏移），或把刀具补偿写在第 3 个参数（S_KNUM1）；也可将第 2 个参数留空。
+newer-target-perhaps = 第 2 个参数 { $value } 不是已知的零点偏移。在旧控制系统上，这样的数是刀具或另一种坐标框架。
+newer-target-perhaps-hint = 零点偏移：1–99、10001–10099。刀具：第 3 个参数（S_KNUM1）。也可将第 2 个参数留空：不作补偿。
 write-newer-tool = 新型控制系统的刀具补偿对象在第 3 个参数（S_KNUM1，见报警 61328），代码未知。
 write-newer-zero = 新型控制系统参数表中零点偏移 { $value } 的含义未知；已知：1–99、10001–10099、9000、9999、19999。
 write-newer = { $param } = { $value } 在新型控制系统参数表中含义不同或未知。
@@ -23,9 +25,15 @@ convert-newer = { $param } = { $value }：旧型参数表没有与新型参数�
 convert-newer-hint = 保持该调用不变，或在输入画面中重新输入这次测量。
 
 newer-lost = 第 { $place } 位之前缺少一个参数：其后的所有参数都提前了一位。
+newer-lost-between = 第 { $place } 位与第 { $until } 位之间缺少一个参数：其后的所有参数都提前了一位。
 newer-lost-hint = 为缺少的参数补一个逗号。
 newer-many = 第 { $place } 位多了一个参数：其后的所有参数都推后了一位。
+newer-many-between = 第 { $place } 位与第 { $until } 位之间多了一个参数：其后的所有参数都推后了一位。
 newer-many-hint = 删除多余的逗号。
+newer-places = { $cycle } 公布了 5 个位置，其中两个没有名称。只有 { $count } 个参数时，无法确定哪个是 S_PROT、哪个是 S_PATH。
+newer-lost-perhaps = 已公布的程序中没有 { $name } = { $value }。若在第 { $place } 位与第 { $until } 位之间多一个参数，调用就与这些程序一致。
+newer-many-perhaps = 已公布的程序中没有 { $name } = { $value }。若在第 { $place } 位与第 { $until } 位之间少一个逗号，调用就与这些程序一致。
+newer-perhaps-hint = 请数一下参数。如果调用本来正确，就不用改。
 newer-inch = S_FA = { $value } 是 { $meant } 的 25.4 倍：以 mm 为单位的测量行程被当作英寸换算了。
 newer-inch-hint = 以 mm 为单位输入测量行程。
 newer-set-variant = 将参数 1 设为 { $value }
@@ -52,6 +60,14 @@ argument-zero-coarse = { $name }，粗调
 argument-zero-used = 有程序使用，含义未公开
 argument-tool = 要补偿的刀具
 argument-ball = 校准球直径
+argument-probe = 测头的编号
+argument-tool-probe = 刀具测头的编号
+argument-points = 距离 X1 和 X2，或点 P1 (X1, Y1) 至 P4 (X4, Y4)
+argument-points-help = 由测量方式决定；其编号没有公布。
+argument-safe = 安全区
+argument-safe-help = 报警 61303 提到它；在此循环中从何处算起没有公布。
+argument-vectors = 计算矢量的界限
+argument-vectors-help = 回转轴位置相差不足 20 度时结果不可靠（报警 61430，G）。
 argument-probing-angle = 探测角度
 argument-probing-angle-help = 从 −359 到 359 度。旧版控制系统的此循环中没有。
 argument-infeed = 到测量高度的进给
@@ -99,11 +115,14 @@ newer-cycle996 = 测量回转轴的运动系统，一个位置
 newer-cycle9960 = 完整测量运动系统
 newer-cycle150 = 在屏幕上显示结果并写入测量记录
 newer-unsimulated = { $param } 会写入，但不模拟。
+newer-omitted = { $param } 被省略，即为 0：控制系统此时的动作没有公布，因此不模拟该调用。
 newer-alone = 不模拟 { $cycle }：旧版控制系统没有这样的循环，其参数各位数字的含义未公布。
-newer-infeed = 正的 { "_ID" } 会写入，但不模拟。
-newer-infeed-hint = 新型控制系统的程序对向下的符号不一致：取负值时输入画面会模拟。
+newer-infeed = { "S_ID" } = { $value }：哪个符号向下没有公布，因此不模拟该调用。
+newer-infeed-hint = 新型控制系统的程序对符号不一致。请在机床上远离工件处试验。
 newer-away = { "S_MD" } = { $value } 背离设定值：测头在另一侧。控制系统此时的动作没有公开，运行在此停止。
 newer-away-hint = 把测头定位到表面的另一侧，或更改测量方向。
+newer-fine = { $value } 补偿粗偏移，而精偏移不为 0。精偏移如何变化由 MD 51740 决定，其位没有公布；运行在此停止。
+newer-fine-hint = 在调用之前清除零点偏移的精偏移，或改为补偿精偏移。
 newer-centre-missing = { "_AMODE" } = 11 表示调用给出了中心，但 S_XM 和 S_YM 为空。
 newer-centre-missing-hint = 请在 S_XM 和 S_YM 中输入中心，或将 { "_AMODE" } 设为 1。
 newer-centre-unused = S_XM 和 S_YM 给出了中心，但 { "_AMODE" } 为 { $value }：程序此时写 11。

@@ -100,6 +100,7 @@ run-program-unknown = { $count ->
        *[other] 文本中没有程序“{ $word }”。其中的程序：{ $names }。
     }
 run-foreign = { $control } 的程序，探测循环：{ $count } 个。可以读取、检查和说明；此处不能运行。
+run-foreign-log = 这是 { $control } 的测量记录，不是程序：不运行任何内容。
 run-unread-value = “{ $word }”的值未知：第 { $line } 行未完整执行。
 run-unread-way = “{ $word }”无法读取，而接下来执行哪个程序段取决于它。
 run-ended = 程序已运行到结尾。

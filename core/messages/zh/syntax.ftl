@@ -52,3 +52,4 @@ file-archive = 它是压缩包（例如 ZIP 或办公文档）；请解压，或
 file-pdf = 它是 PDF 文档；请选择文本文件
 file-document = 它是办公文档；请另存为文本
 file-binary = 其中没有文本；请选择文本文件
+file-log = 它是 { $control } 的测量记录；请打开进行测量的程序，再在“来自机床”处打开此文件

@@ -1,5 +1,6 @@
 //! What a file is, by its bytes.
 
+use super::log_of;
 use crate::dialect::Dialect;
 use crate::encoding::Encoding;
 use crate::message::Message;
@@ -18,6 +19,10 @@ pub enum Recognised {
         #[serde(skip_serializing_if = "Option::is_none")]
         #[cfg_attr(test, ts(optional))]
         control: Option<Dialect>,
+        /// That it is the log of measurements, which is opened beside its program; absent: it is none.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        #[cfg_attr(test, ts(optional))]
+        log: Option<Message>,
     },
     /// No program.
     Other {
@@ -26,11 +31,26 @@ pub enum Recognised {
     },
 }
 
+/// What the first bytes of a file tell.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct FileHead {
+    control: Option<Dialect>,
+    log: Option<&'static str>,
+}
+
+impl FileHead {
+    /// Of these bytes.
+    pub fn of(bytes: &[u8]) -> FileHead {
+        FileHead { control: Dialect::told(bytes), log: log_of(bytes) }
+    }
+}
+
 impl Recognised {
     /// What was found by all bytes of a file, and what its first ones tell.
-    pub fn of(found: Result<Encoding, &'static str>, control: Option<Dialect>) -> Recognised {
+    pub fn of(found: Result<Encoding, &'static str>, begins: FileHead) -> Recognised {
+        let log = begins.log.map(|control| Message::new("file-log").text("control", control));
         match found {
-            Ok(encoding) => Recognised::Program { encoding, control },
+            Ok(encoding) => Recognised::Program { encoding, control: begins.control, log },
             Err(what) => Recognised::Other { why: Message::new(what) },
         }
     }

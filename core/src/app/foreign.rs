@@ -1,6 +1,7 @@
 //! A program or a log of a control that is read and not run.
 
 use crate::catalogue::log;
+use crate::dialect::Dialect;
 use crate::foreign::{self, Foreign, ForeignCall, Log, LogRow};
 use crate::message::Message;
 use serde::Serialize;
@@ -57,6 +58,8 @@ pub struct ForeignLog {
     pub unit: &'static str,
     /// What was measured.
     pub figures: Vec<ForeignFigure>,
+    /// Lines, from 1, at whose figure something else stands.
+    pub unread: Vec<u32>,
 }
 
 /// A quantity of a log; absent: the log does not have it.
@@ -90,9 +93,10 @@ pub fn foreign(source: &[u8]) -> Option<ForeignView> {
     Some(ForeignView { control: control.name, calls: Vec::new(), logs: logs.into_iter().map(of_log).collect() })
 }
 
-/// Whether a text is the log that the measuring cycles print: no program, though names of cycles stand in it.
-pub fn is_log(source: &[u8]) -> bool {
-    log::is_log(&String::from_utf8_lossy(source))
+/// The control of which a text is a measuring log, by its beginning: no program, though names of cycles stand in it.
+pub fn log_of(source: &[u8]) -> Option<&'static str> {
+    let own = || log::is_log(&String::from_utf8_lossy(source)).then(|| Dialect::Sinumerik.name());
+    foreign::log_of(source).map(|control| control.name).or_else(own)
 }
 
 fn of_program(control: &Foreign, calls: Vec<ForeignCall>) -> ForeignView {
@@ -115,7 +119,7 @@ fn of_program(control: &Foreign, calls: Vec<ForeignCall>) -> ForeignView {
 }
 
 fn of_log(log: Log) -> ForeignLog {
-    let number = |text: &str| text.parse().ok().filter(|value: &f64| value.is_finite());
+    let number = |text: &str| foreign::figure(text);
     let figure = |row: LogRow| ForeignFigure {
         set: number(&row.nominal),
         upper: number(&row.maximum),
@@ -131,5 +135,6 @@ fn of_log(log: Log) -> ForeignLog {
         program: log.program,
         unit: if log.is_inch { "inch" } else { "mm" },
         figures: log.rows.into_iter().map(figure).collect(),
+        unread: log.unread,
     }
 }

@@ -212,7 +212,9 @@ pub fn form(mut asked: FormRequest) -> Result<FormView, Error> {
     }
     let (values, before) = entered(support, cycle, asked.values, control);
     let judge = |values: &Typed, control: &Control| match newer {
-        Some(list) => newer::check_simulated(cycle, list, values, control),
+        // what a new call omits is written with what the form shows
+        Some(list) if asked.written.is_none() => newer::check_simulated(cycle, list, values, control),
+        Some(list) => newer::check_simulated(cycle, list, &newer::with_omitted(cycle, values), control),
         None => check::check(cycle, values, control),
     };
     let mut checked = judge(&values, control);
@@ -250,8 +252,8 @@ pub fn form(mut asked: FormRequest) -> Result<FormView, Error> {
     view.twins = asked.twin.then(|| twins(cycle, &values, &start.setup.control));
     if let Some(list) = newer {
         let notes = unsimulated::notes(cycle, list, &values, checked.inputs.as_ref(), &start.setup.control);
-        if notes.iter().any(|one| one.param.is_some_and(|name| name == newer::DIRECTION)) {
-            checked.inputs = None; // measured from its other side, the surface would look as if the call did so
+        if !notes.is_empty() {
+            checked.inputs = None; // what is shown would not be what the call says
         }
         view.diagnostics.extend(notes.iter().map(Finding::of));
     }

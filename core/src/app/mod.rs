@@ -85,10 +85,10 @@ pub use edit::{
     convert, cure,
 };
 pub use elsewhere::{Elsewhere, ElsewherePart, elsewhere};
-pub use encoding::Recognised;
+pub use encoding::{FileHead, Recognised};
 pub use equip::{CellText, EquipRequest, EquipView, EquipmentChange, EquipmentRows, RowOf, equip};
 pub use finding::{Cure, Edit, Finding, findings};
-pub use foreign::{ForeignCallView, ForeignFigure, ForeignLog, ForeignParameter, ForeignView, foreign, is_log};
+pub use foreign::{ForeignCallView, ForeignFigure, ForeignLog, ForeignParameter, ForeignView, foreign, log_of};
 pub use form::{FormRequest, FormView, LoggedCall, form};
 pub use help::{HelpRequest, HelpResult, HelpSection, HelpText, HelpView, help};
 pub use jog::{JogLine, JogPoint, JogResult, JogView, JogWrong, jog};

@@ -86,6 +86,9 @@ fn of_foreign(other: &'static Foreign, inputs: &Inputs, control: &Control) -> Op
     let written = foreign::written(other, there.cycle, &values);
     let refused = there.cycle.unwritten(other);
     let known = Measurement { corner: None, limit: None, reach: None, ..measurement };
+    // a call that sets a datum does not say which: it is the active one
+    let both = Measurement { zero: None, ..known.clone() };
+    let both = if values.is_empty() { Vec::new() } else { shared(&both, control) };
     Some(TwinView {
         control: other.name,
         cycle: there.cycle.name,
@@ -95,15 +98,16 @@ fn of_foreign(other: &'static Foreign, inputs: &Inputs, control: &Control) -> Op
         snippet: written.unwrap_or_default(),
         differences: [zero_offset(other, here, inputs, &known), told(other, &there, inputs, here, control)].concat(),
         refused,
-        shared: shared(&known, control),
+        shared: both,
     })
 }
 
 /// What becomes of the zero offset that the call corrects.
 fn zero_offset(other: &Foreign, here: &entry::Shared, inputs: &Inputs, known: &Measurement) -> Vec<Message> {
-    let lost = lost_zero(here, inputs, known)
-        .map(|zero| Message::new("foreign-zero-lost").number("value", zero).text("control", other.name));
-    lost.into_iter().chain(coarse(here, inputs)).collect()
+    let said = |key: &'static str, zero: f64| Message::new(key).number("value", zero).text("control", other.name);
+    let lost = lost_zero(here, inputs, known).map(|zero| said("foreign-zero-lost", zero));
+    let active = known.zero.map(|zero| said("foreign-zero-active", zero as f64));
+    lost.into_iter().chain(coarse(here, inputs)).chain(active).collect()
 }
 
 /// What the reader of both calls has to know.

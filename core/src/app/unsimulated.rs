@@ -20,10 +20,7 @@ pub(super) fn notes(
     let own = Argument::all(list).filter(|one| one.is_field() && says(typed, one.name));
     let own = own.filter(|one| one.name != DIRECTION || !inputs.is_some_and(|inputs| leads(typed, inputs, control)));
     let own = own.map(|one| own::NEWER_UNSIMULATED.finding().text("param", one.name).at(Name::new(one.name)));
-    // which sign of the infeed leads down differs by the program
-    let infeed = newer::foreign(cycle, list, typed, control).contains(&names::ID) && says(typed, names::ID.as_str());
-    let infeed = infeed.then(|| own::NEWER_INFEED.finding().at(names::ID));
-    own.chain(infeed).collect()
+    own.chain(newer::unsure(cycle, list, typed, control)).collect()
 }
 
 fn says(typed: &Typed, name: &str) -> bool {

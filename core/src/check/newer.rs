@@ -1,13 +1,14 @@
 //! Calls in the list of a newer control. The checks hold the rules of the older one, whose manuals we have; here stands
 //! which of them a newer control has as well. Of the others nothing is published: a value that only they refuse is
 //! named in a note where it is not one that programs of newer controls have, and the call is neither simulated nor
-//! written otherwise. An argument that is omitted is 0 there.
+//! written otherwise. An argument that is omitted is 0 there: who checks a call says so first, by [`with_omitted`].
 
 use super::{Checked, Parsed, Target, check, error, parse, target, typed, variants};
 use crate::control::Control;
+use crate::control::frames::Store;
 use crate::diagnostic::{Code, Diagnostic, Severity};
-use crate::entry::{ArgumentList, Cycle, Inputs, ProbeUse, Published, Typed, names};
-use crate::message::Message;
+use crate::entry::{Arg, ArgumentList, Cycle, Inputs, Kind, ProbeUse, Published, Style, Typed, names};
+use crate::message::{self, Message};
 use crate::name::Name;
 use crate::own::{self, Own};
 
@@ -17,8 +18,8 @@ pub const PROBES: f64 = 12.0;
 pub const TOOL_PROBES: f64 = 6.0;
 
 /// Findings that follow from what the arguments mean and from the part, whichever control measures.
-const SAME: [Own; 6] =
-    [own::NOT_A_NUMBER, own::EXPRESSION, own::TOO_LARGE, own::TEXT_CHARACTERS, own::UNUSUAL, own::BALL];
+const SAME: [Own; 7] =
+    [own::NOT_A_NUMBER, own::EXPRESSION, own::NO_VALUE, own::TOO_LARGE, own::TEXT_CHARACTERS, own::UNUSUAL, own::BALL];
 
 /// Alarms whose condition is published for newer controls: `S_FA` above 0, the protection zone.
 const SAME_ALARMS: [Code; 2] = [Code::Alarm(61308), Code::Alarm(61334)];
@@ -48,10 +49,37 @@ const NEEDED: [Name; 4] = [names::SETVAL, names::SETV0, names::SETV1, names::MA]
 
 /// Checks the values of a list.
 pub fn check_listed(cycle: &'static Cycle, list: &ArgumentList, typed: &Typed, control: &Control) -> Checked {
-    let typed = with_omitted(cycle, typed);
+    let typed = with_nothing(cycle, typed);
     let judged = judged(cycle, list, &typed, control);
     let older = judged.foreign.is_empty();
-    Checked { diagnostics: judged.found, inputs: judged.inputs.filter(|_| older) }
+    let found = judged.found.into_iter().map(|one| in_words_of(list, one));
+    Checked { diagnostics: found.collect(), inputs: judged.inputs.filter(|_| older) }
+}
+
+/// A finding that names an argument as the list does.
+fn in_words_of(list: &ArgumentList, mut one: Diagnostic) -> Diagnostic {
+    let named = |arg: &Arg| match arg {
+        Arg::Newer(name, param) if *param == one.param && !name.is_empty() => Some(*name),
+        _ => None,
+    };
+    let Some((name, param)) = list.args.iter().find_map(named).zip(one.param) else { return one };
+    let texts = [Some(&mut one.message), one.hint.as_mut()].into_iter().flatten();
+    for (_, text) in texts.flat_map(|message| &mut message.args) {
+        if matches!(text, message::Arg::Text(text) if param == text.as_str()) {
+            *text = message::Arg::Text(name.to_owned());
+        }
+    }
+    one
+}
+
+/// A finding at an argument of a program's call, under its name there.
+pub fn at_argument(list: &ArgumentList, one: Diagnostic) -> Diagnostic {
+    let of = |arg: &Arg| match arg {
+        Arg::Newer(name, Some(param)) if Some(*param) == one.param => Some(Name::new(name)),
+        _ => None,
+    };
+    let param = list.args.iter().find_map(of).or(one.param);
+    Diagnostic { param, ..in_words_of(list, one) }
 }
 
 /// Checks the values of a list as [`check_listed`]; a coarse zero offset is the one with its number, where
@@ -70,6 +98,35 @@ pub fn check_simulated(cycle: &'static Cycle, list: &ArgumentList, typed: &Typed
 /// Whether the correction goes into the coarse part of the zero offset; a number alone means the fine one there.
 pub fn is_coarse(typed: &Typed) -> bool {
     coarse(typed).is_some()
+}
+
+/// What of a call that the older control could carry out is not sure on the newer one, so that it is not simulated.
+pub fn unsure(cycle: &'static Cycle, list: &ArgumentList, typed: &Typed, control: &Control) -> Option<Diagnostic> {
+    infeed(cycle, list, typed, control).or_else(|| fine(typed, control))
+}
+
+/// The infeed: which sign of it leads down differs between programs, so that nobody knows where the probe would measure.
+fn infeed(cycle: &'static Cycle, list: &ArgumentList, typed: &Typed, control: &Control) -> Option<Diagnostic> {
+    let Parsed::Number(infeed) = parse(text(typed, names::ID)) else { return None };
+    let used = is_infeed(list) && super::read(cycle, typed, control, &mut Vec::new()).uses(names::ID);
+    (used && infeed != 0.0).then(|| own::NEWER_INFEED.finding().number("value", infeed).at(names::ID))
+}
+
+/// Whether `S_ID` leads down in this list.
+fn is_infeed(list: &ArgumentList) -> bool {
+    list.position(names::ID).is_some() && !list.has(ACROSS)
+}
+
+/// An argument of CYCLE998 alone, whose `S_ID` is the distance of its two points, and leads along the surface.
+const ACROSS: &str = "S_SETV3";
+
+/// The fine part of a zero offset whose coarse part is corrected: what becomes of it is a bit of a machine datum there,
+/// of which no more than a name is published.
+fn fine(typed: &Typed, control: &Control) -> Option<Diagnostic> {
+    let number = coarse(typed)?;
+    let frame = control.stored_frame(Store::Settable(usize::try_from(number).ok()?));
+    let empty = frame.fine == [0.0; 3] && frame.rotary_fine.iter().all(|angle| angle.0 == 0.0);
+    (!empty).then(|| own::NEWER_FINE.finding().number("value", (COARSE_FROM + number) as f64).at(names::KNUM))
 }
 
 /// The number of the zero offset whose coarse part is corrected.
@@ -94,31 +151,36 @@ pub const MINUS: f64 = 2.0;
 /// Why a list is not simulated, where nothing else that is said of it tells: what of it means something else on the
 /// older control.
 pub fn not_simulated(cycle: &'static Cycle, list: &ArgumentList, typed: &Typed, control: &Control) -> Vec<Diagnostic> {
-    let typed = with_omitted(cycle, typed);
+    let typed = with_nothing(cycle, typed);
     let judged = judged(cycle, list, &typed, control);
     let told = |name: &Name| judged.found.iter().any(|one| one.param == Some(*name));
-    let names = judged.foreign.iter().filter(|name| !told(name) && (**name != names::KNUM || !is_coarse(&typed)));
-    let why = names.map(|name| match *name == names::ID {
-        true => own::NEWER_INFEED.finding().at(names::ID),
-        false => own::NEWER_UNSIMULATED.finding().text("param", *name).at(*name),
+    let unsure = |name: &Name| match *name {
+        names::ID => is_infeed(list) && !is_nothing(text(&typed, names::ID)), // `unsure` tells it
+        name => name == names::KNUM && is_coarse(&typed),
+    };
+    let names = judged.foreign.iter().filter(|name| !told(name) && !unsure(name));
+    let why = names.map(|name| {
+        let omitted = is_nothing(text(&typed, *name));
+        let sentence = if omitted { own::NEWER_OMITTED } else { own::NEWER_UNSIMULATED };
+        sentence.finding().text("param", *name).at(*name)
     });
-    why.collect()
+    why.map(|one| in_words_of(list, one)).collect()
 }
 
 /// The parameters whose values mean something else on the older control, or whose meaning is not known.
 pub fn foreign(cycle: &'static Cycle, list: &ArgumentList, typed: &Typed, control: &Control) -> Vec<Name> {
-    judged(cycle, list, &with_omitted(cycle, typed), control).foreign
+    judged(cycle, list, &with_nothing(cycle, typed), control).foreign
 }
 
 /// Whether nothing is known of the variant.
 pub fn is_open(cycle: &'static Cycle, list: &ArgumentList, typed: &Typed, control: &Control) -> bool {
-    let typed = with_omitted(cycle, typed);
+    let typed = with_nothing(cycle, typed);
     let variant = variants::chosen(cycle, &typed, control);
     !variant.is_some_and(|number| list.when.holds(&Inputs::new(cycle, number)))
 }
 
 /// Values with a 0 where an omitted argument is one that the older control asks for.
-pub fn with_omitted(cycle: &Cycle, typed: &Typed) -> Typed {
+fn with_nothing(cycle: &Cycle, typed: &Typed) -> Typed {
     let mut typed = typed.clone();
     for name in cycle.variant_param().into_iter().chain([names::KNUM]) {
         if text(&typed, name).trim().is_empty() && cycle.param(name.as_str()).is_some() {
@@ -128,10 +190,32 @@ pub fn with_omitted(cycle: &Cycle, typed: &Typed) -> Typed {
     typed
 }
 
+/// The values of a call with a 0 for each argument that it omits (S_FA: 61308). What says what is measured stays empty
+/// where 0 says nothing, and so does what belongs to a correction that is none. Which arguments a variant needs whose
+/// number is not published, nobody knows.
+pub fn with_omitted(cycle: &'static Cycle, typed: &Typed) -> Typed {
+    let mut typed = with_nothing(cycle, typed);
+    let variant = cycle.variant_param().map(|name| parse(text(&typed, name)));
+    let variant = if let Some(Parsed::Number(number)) = variant { number as i64 } else { 0 };
+    let inputs = Inputs::new(cycle, variant);
+    let lists = cycle.lists.iter().filter(|list| list.style == Style::Operate && list.when.holds(&inputs));
+    let params = lists.flat_map(|list| list.args).filter_map(|arg| cycle.param(arg.param()?.as_str()));
+    for param in params.filter(|param| !matches!(param.kind, Kind::Text(_)) && !is_unsaid(param.name, &inputs)) {
+        let says = !is_needed(param.name) || matches!(param.kind, Kind::Real) && param.range.contains(0.0);
+        if says && text(&typed, param.name).trim().is_empty() {
+            typed.insert(param.name.to_string(), "0".to_owned());
+        }
+    }
+    typed
+}
+
 /// Whether these values hold a tool target, which has an argument of its own in a list.
 pub fn has_tool_target(cycle: &'static Cycle, typed: &Typed, control: &Control) -> bool {
     Judged::new(cycle, typed, control).corrects() == Some(Target::Tool) && !is_nothing(text(typed, names::KNUM))
 }
+
+/// The last settable zero offset, G599.
+const LAST_ZERO: f64 = 99.0;
 
 /// Whether a zero offset has the same number on both controls.
 pub fn is_same_zero(code: f64) -> bool {
@@ -217,7 +301,9 @@ impl<'a> Judged<'a> {
         } else if let Some(code) = self.read().given(names::KNUM).filter(|code| !is_same_zero(*code)) {
             said.retain(|one| one.param != Some(names::KNUM));
             self.foreign.push(names::KNUM);
-            if !is_newer_zero(code) {
+            if !is_newer_zero(code) && code.fract() == 0.0 && code > LAST_ZERO {
+                self.found.push(own::NEWER_TARGET_PERHAPS.finding().text("value", value).at(names::KNUM));
+            } else if !is_newer_zero(code) {
                 self.open(names::KNUM);
             }
         }
@@ -229,11 +315,11 @@ impl<'a> Judged<'a> {
         if one.param == Some(names::PRNUM) && one.severity == Severity::Error {
             return self.foreign.push(names::PRNUM); // what is wrong with it, `probe` says
         }
-        let written = |name: &Name| !text(self.typed, *name).trim().is_empty();
+        let says = |name: &Name| !is_nothing(text(self.typed, *name));
         let missing = one.code == own::MISSING.code();
         let order = ORDERS.iter().find(|(sentence, _)| sentence.code() == one.code);
         let counts = match order {
-            Some((_, values)) => values.iter().all(written),
+            Some((_, values)) => values.iter().all(says),
             None if missing => one.param.is_some_and(|name| NEEDED.contains(&name)),
             None => is_one_of(&one, &SAME) || SAME_ALARMS.contains(&one.code),
         };
@@ -242,10 +328,10 @@ impl<'a> Judged<'a> {
         }
         // which sign of the infeed leads down differs by the program
         let infeed = one.code == own::INFEED.code();
-        let stops = infeed || one.severity == Severity::Error && order.is_none();
+        let stops = infeed || one.severity == Severity::Error;
         let Some(name) = one.param.filter(|name| stops && !self.foreign.contains(name)) else { return };
         let published = self.read().given(name).is_some_and(|number| list.publishes(name, number));
-        if written(&name) && !infeed && !published {
+        if says(&name) && !infeed && !published {
             self.open(name);
         }
         self.foreign.push(name);
@@ -298,6 +384,9 @@ impl<'a> Judged<'a> {
     }
 }
 
+/// The argument for the working plane.
+pub const PLANE: &str = "_DMODE";
+
 /// The arguments for a centre beside which the probe starts, and how `_AMODE` says that they give it.
 pub const CENTRE: [&str; 2] = ["S_XM", "S_YM"];
 /// The argument for the mode.
@@ -316,5 +405,5 @@ pub fn is_nothing(text: &str) -> bool {
 }
 
 fn is_one_of(one: &Diagnostic, sentences: &[Own]) -> bool {
-    sentences.iter().any(|sentence| sentence.code() == one.code)
+    sentences.iter().any(|sentence| sentence.cause == one.message.key) // some share their number with a rule
 }

@@ -276,6 +276,7 @@ impl SettingDatum {
 
 /// The datum with this number (`54600`), name in words (`SD54600`) or identifier.
 pub fn find(asked: &str) -> Option<&'static SettingDatum> {
+    let asked = &*asked.replace(' ', "");
     let digits = |sort: &str| asked.get(..2).filter(|begin| begin.eq_ignore_ascii_case(sort)).and(asked.get(2..));
     let numbered = digits("SD").or_else(|| digits("MD"));
     if let Ok(number) = numbered.unwrap_or(asked).parse::<u32>() {

@@ -1,6 +1,7 @@
 //! What is told of a program of such a control.
 
-use super::{Foreign, ForeignCall, ForeignCycle, ForeignValue, Page, Parameter, Value, control_of, first_line};
+use super::write::are_crossed;
+use super::{Foreign, ForeignCall, ForeignCycle, ForeignValue, Page, Parameter, control_of, first_line};
 use crate::diagnostic::{Diagnostic, Edit, Severity};
 use crate::message::Message;
 use crate::own;
@@ -111,14 +112,9 @@ fn outside(parameter: &Parameter, one: &ForeignValue) -> Diagnostic {
 
 /// Limits of one size that have changed places.
 fn limits(cycle: &'static ForeignCycle, call: &ForeignCall) -> Option<Diagnostic> {
-    let pairs = cycle.parameters.windows(2).filter(|pair| {
-        pair.first().is_some_and(|one| matches!(one.value, Value::Maximum(_)))
-            && pair.last().is_some_and(|one| matches!(one.value, Value::Minimum(_)))
-    });
-    pairs.into_iter().find_map(|pair| {
-        let [maximum, minimum] = pair else { return None };
+    cycle.limits().find_map(|(maximum, minimum)| {
         let (most, least) = (value(call, maximum.name)?, value(call, minimum.name)?);
-        let wrong = most.number()? < least.number()?;
+        let wrong = are_crossed(most.number()?, least.number()?);
         let found = || own::FOREIGN_LIMITS.finding().text("maximum", maximum.name).text("minimum", minimum.name);
         wrong.then(|| found().on(most.span))
     })

@@ -15,6 +15,13 @@ pub struct Log {
     pub is_inch: bool,
     /// What was measured.
     pub rows: Vec<LogRow>,
+    /// Lines, from 1, at whose figure something else stands.
+    pub unread: Vec<u32>,
+}
+
+/// A figure of a log, with a decimal point or comma, as the control is set.
+pub fn figure(text: &str) -> Option<f64> {
+    text.trim().replacen(',', ".", 1).parse().ok().filter(|value: &f64| value.is_finite())
 }
 
 /// What was measured, and its limits; figures as written, empty where there is none.

@@ -7,7 +7,7 @@ mod of_task;
 pub mod tnc;
 mod write;
 
-pub use log::{Log, LogRow};
+pub use log::{Log, LogRow, figure};
 pub use of_task::{OfTask, of_task};
 pub use write::{Unwritten, written};
 
@@ -34,6 +34,8 @@ pub struct Foreign {
     pub calls: fn(&[u8]) -> Vec<ForeignCall>,
     /// The values that a line of a call gives.
     pub values: fn(&[u8]) -> Vec<ForeignValue>,
+    /// Whether a text begins as a log of it.
+    pub is_log: fn(&str) -> bool,
     /// Its logs in a text.
     pub logs: fn(&str) -> Vec<Log>,
     /// A call with these values, in the order of the table.
@@ -170,6 +172,17 @@ impl ForeignCycle {
         self.parameters.iter().find(|one| one.name.eq_ignore_ascii_case(name))
     }
 
+    /// Largest and smallest permissible value of each size that has both.
+    fn limits(&self) -> impl Iterator<Item = (&'static Parameter, &'static Parameter)> {
+        self.parameters.windows(2).filter_map(|pair| match pair {
+            [most, least] => {
+                let both = matches!((most.value, least.value), (Value::Maximum(_), Value::Minimum(_)));
+                both.then_some((most, least))
+            }
+            _ => None,
+        })
+    }
+
     /// Whether calls are written.
     pub fn is_written(&self) -> bool {
         self.page == Page::Whole
@@ -215,6 +228,15 @@ impl ForeignValue {
 /// The control of a program, where it is none of those that are run.
 pub fn control_of(source: &[u8]) -> Option<&'static Foreign> {
     CONTROLS.into_iter().find(|control| (control.is_program)(source))
+}
+
+/// Bytes at the beginning of a text by which a log is told.
+const HEAD: usize = 4096;
+
+/// The control of which a text is a log, by its beginning.
+pub fn log_of(source: &[u8]) -> Option<&'static Foreign> {
+    let head = String::from_utf8_lossy(source.get(..HEAD).unwrap_or(source));
+    CONTROLS.into_iter().find(|control| (control.is_log)(&head))
 }
 
 /// Place of the first line of a program.

@@ -226,6 +226,56 @@ fn a_log_is_read() {
     assert!(logs("_MVAR=1\nDiameter: 12\n").is_none());
 }
 
+// oracle: self (the same log with the decimal sign of another language); hand: what is no figure is told by its line
+#[test]
+fn a_log_with_decimal_commas_is_the_same() {
+    let commas: Vec<String> = LOG
+        .lines()
+        .map(|line| match line.rsplit_once(": ") {
+            Some((label, figure)) if figure.parse::<f64>().is_ok() => format!("{label}: {}", figure.replace('.', ",")),
+            _ => line.to_owned(),
+        })
+        .collect();
+    let of = |text: &str| logs(text).unwrap().1.remove(0);
+    let values = |log: &Log| -> Vec<Option<f64>> {
+        let all =
+            log.rows.iter().flat_map(|row| [&row.nominal, &row.minimum, &row.maximum, &row.actual, &row.deviation]);
+        all.map(|text| figure(text)).collect()
+    };
+    let comma = of(&commas.join("\n"));
+    assert_eq!(values(&comma), values(&of(LOG)));
+    assert!(comma.unread.is_empty() && values(&comma).iter().all(Option::is_some));
+    let wrong = of(&LOG.replace("Diameter: 12.0259", "Diameter: 12.0.259"));
+    assert_eq!(wrong.unread, [24]);
+}
+
+// oracle: self (a log is none of a program, and a program none of a log)
+#[test]
+fn a_log_is_told_by_its_content() {
+    let found = crate::program::findings(&crate::syntax::read(crate::dialect::Dialect::Sinumerik, LOG.as_bytes()));
+    assert_eq!(keys(&found), ["foreign-is-log"], "nothing else is told of it");
+    assert!(log_of(LOG.as_bytes()).is_some() && log_of(format!("\u{feff}{LOG}").as_bytes()).is_some());
+    for program in [PROGRAM, "G0 X0 ; Measuring log for touch probe cycle 421\nM30\n", ""] {
+        assert!(log_of(program.as_bytes()).is_none(), "{program}");
+    }
+}
+
+// oracle: hand (no size is within crossed limits; 0 is no limit)
+#[test]
+fn crossed_limits_are_not_written() {
+    let (control, cycle) = find("TCH PROBE 421").unwrap();
+    let write = |most: &str, least: &str| {
+        let usual = ["Q273", "Q274", "Q325", "Q261", "Q260"].map(|name| (name.to_owned(), "0".to_owned()));
+        let own = [("Q262", "75"), ("Q247", "90"), ("Q320", "0"), ("Q301", "1"), ("Q275", most), ("Q276", least)];
+        let own = own.map(|(name, value)| (name.to_owned(), value.to_owned()));
+        written(control, cycle, &usual.into_iter().chain(own).collect())
+    };
+    assert_eq!(write("74", "76").unwrap_err(), Unwritten::Limits("Q275", "Q276"));
+    for (most, least) in [("76", "74"), ("0", "74"), ("0", "0")] {
+        assert!(write(most, least).is_ok(), "{most} {least} {:?}", write(most, least));
+    }
+}
+
 // oracle: self: a table names each parameter once, and every word is there
 #[test]
 fn the_tables_are_whole() {

@@ -15,6 +15,8 @@ pub enum Unwritten {
     NoNumber(&'static str),
     /// The value of a parameter lies outside its range.
     Outside(&'static str),
+    /// The first of these limits, the largest value, is smaller than the second.
+    Limits(&'static str, &'static str),
     /// These parameters need a value.
     Missing(Vec<&'static str>),
 }
@@ -54,7 +56,17 @@ pub fn written(
     if let Some((parameter, _)) = values.iter().find(|(parameter, value)| !parameter.range.contains(*value)) {
         return Err(Unwritten::Outside(parameter.name));
     }
+    let value = |name: &str| values.iter().find(|(known, _)| known.name == name).map_or(0.0, |(_, value)| *value);
+    let crossed = cycle.limits().find(|(most, least)| are_crossed(value(most.name), value(least.name)));
+    if let Some((most, least)) = crossed {
+        return Err(Unwritten::Limits(most.name, least.name));
+    }
     Ok((control.call)(cycle, &values))
+}
+
+/// Whether no size is within two limits; 0 is no limit.
+pub(super) fn are_crossed(most: f64, least: f64) -> bool {
+    most != 0.0 && most < least
 }
 
 /// What is written where nobody says otherwise: no limits, no tool.

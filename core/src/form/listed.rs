@@ -54,6 +54,9 @@ impl Listed {
             .collect();
         fields.extend(hidden);
         fields.extend(beside(self.list, typed, control));
+        for field in &mut fields {
+            field.source = Cited(self.list.source); // what stands there and what an omitted one is, is known from it
+        }
         name_arguments(self.list, &mut fields);
         fields
     }
@@ -68,10 +71,13 @@ impl Listed {
             };
             return;
         }
-        field.required &= newer::is_needed(field.name);
+        // omitted in a call it is 0, which alarm 61308 refuses
+        let path = self.written && field.name == names::FA;
+        field.required = path || field.required && newer::is_needed(field.name);
         if OMITTED.contains(&&*field.reason.key) {
             let writes = !self.written && !newer::is_unsaid(field.name, inputs);
-            field.fallback = field.fallback.filter(|number| writes && *number != 0.0);
+            let usual = argument.as_ref().and_then(|argument| argument.usual().parse().ok());
+            field.fallback = usual.or(field.fallback).filter(|number| writes && *number != 0.0);
             let default = field.fallback.is_some();
             field.reason = Message::new(if default { "need-listed" } else { "need-omitted" });
         }
@@ -86,6 +92,7 @@ impl Listed {
             let tool = self.cycle.purpose.probe != ProbeUse::Workpiece;
             let most = if tool { newer::TOOL_PROBES } else { newer::PROBES };
             field.entry = Entry::Integer { range: Range::closed(1.0, most) };
+            field.label = Message::new(if tool { "argument-tool-probe" } else { "argument-probe" });
             field.help = Message::new(if tool { "argument-tool-probe-help" } else { "argument-probe-help" });
         }
     }
@@ -107,7 +114,7 @@ impl Listed {
             _ => Entry::Real { range: Range::ANY },
         };
         let unit = unit_name(param.unit_with(inputs), control);
-        Field { name, entry, unit, source: Cited(param.source), ..plain(argument, typed.get(name.as_str())) }
+        Field { name, entry, unit, ..plain(argument, typed.get(name.as_str())) }
     }
 }
 

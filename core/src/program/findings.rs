@@ -4,7 +4,7 @@ use super::advice::advice;
 use super::block_rules::block_rules;
 use super::calls::macros::of_functions;
 use super::calls::{CallSite, calls_on};
-use super::lists::findings::unclosed;
+use super::lists::findings::{of_places, unclosed};
 use crate::catalogue::Functions;
 use crate::control::{Control, delivery};
 use crate::diagnostic::{Diagnostic, Edit, Severity, Span};
@@ -32,6 +32,10 @@ pub fn findings_of(program: &Program, sites: &[CallSite], control: &Control) -> 
     if let Some(found) = foreign::findings::of_program(&program.source) {
         return found;
     }
+    if let Some(control) = foreign::log_of(&program.source) {
+        let log = own::FOREIGN_LOG.finding().text("control", control.name);
+        return vec![log.on(foreign::first_line(&program.source))];
+    }
     let syntax = program.errors.iter().map(|error| not_understood(program, error));
     let blocks = match program.dialect {
         Dialect::Sinumerik => block_rules(program),
@@ -42,7 +46,8 @@ pub fn findings_of(program: &Program, sites: &[CallSite], control: &Control) -> 
     // of a name that is an axis the rules for blocks tell
     let defined = defined.findings().filter(|found| found.message.key != "run-axis-name");
     let calls = sites.iter().flat_map(|site| site.diagnostics.iter().cloned());
-    let mut found: Vec<Diagnostic> = syntax.chain(blocks).chain(defined).chain(calls).chain(advice).collect();
+    let mut found: Vec<Diagnostic> =
+        syntax.chain(blocks).chain(defined).chain(calls).chain(advice).chain(of_places(program)).collect();
     for one in &mut found {
         place(program, one);
     }

@@ -77,7 +77,7 @@ fn summary(list: &'static ArgumentList, words: &Words) -> [String; 5] {
     [
         format!("`{}`", list.name),
         list.args.len().to_string(),
-        words.key("generations-read"),
+        words.key(if entry.is_some() { "generations-read" } else { "generations-read-only" }),
         done("generations-written"),
         done(SIMULATED),
     ]

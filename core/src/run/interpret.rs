@@ -157,6 +157,10 @@ impl Session {
         let mut session = Session { run, before: setup.clone(), share: 0.0, ended: None };
         if let Some(control) = foreign::control_of(&session.run.program.source) {
             session.refuse_foreign(control);
+        } else if let Some(control) = foreign::log_of(&session.run.program.source) {
+            session.run.sim.line = Some(0);
+            let first = foreign::first_line(&session.run.program.source);
+            session.refuse(Problem::at("run-foreign-log", first).text("control", control.name));
         }
         session
     }

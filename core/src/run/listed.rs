@@ -2,16 +2,15 @@
 
 use super::names::{read as read_name, write as write_name};
 use super::{Call, Datum, Halt, Interpreter, call, cycle, noted};
-use crate::catalogue::{CYCLES, find, list};
+use crate::catalogue::{Argument, CYCLES, find, list};
 use crate::check::{self, Sort, listed, newer};
-use crate::control::Value;
-use crate::diagnostic::{Diagnostic, Severity};
+use crate::control::{Plane, Value};
+use crate::diagnostic::Diagnostic;
 use crate::entry::{AUXILIARY, AUXILIARY_ARGS, Arg, ArgumentList, Cycle, Inputs, Kind, Param, Style, Typed, names};
 use crate::machine::Machine;
 use crate::name::Name;
 use crate::own;
 use crate::problem::Problem;
-use crate::program::arguments;
 
 /// Carries out a call with arguments; false: it is none of these.
 pub fn call(run: &mut Interpreter, call: &Call) -> Result<bool, Halt> {
@@ -101,6 +100,7 @@ fn newer_list(
     let values = values(cycle, list, call).into_iter();
     let typed: Typed =
         values.filter_map(|(name, value)| Some((name.to_string(), Datum::from(&value?).exact()))).collect();
+    let typed = newer::with_omitted(cycle, &typed);
     run.fit(cycle, &typed);
     let mut checked = newer::check_simulated(cycle, list, &typed, &run.sim.control);
     if checked.inputs.is_none() {
@@ -112,18 +112,39 @@ fn newer_list(
         let name = Name::new(newer::DIRECTION);
         checked.diagnostics.push(own::NEWER_AWAY.finding().number("value", direction).at(name));
     }
-    if checked.inputs.is_some() {
-        let said = arguments::only_newer(&run.program, list, call.span).into_iter();
-        let told: Vec<_> = said.filter(|(name, _)| *name != newer::DIRECTION).collect();
-        for (name, _) in told {
-            run.tell(Severity::Warning, &Problem::new("run-not-simulated", call.span, name));
-        }
+    if let Some(why) = newer::unsure(cycle, list, &typed, &run.sim.control) {
+        checked.inputs = None;
+        checked.diagnostics.push(why);
     }
+    for name in unsimulated(run, list, call) {
+        checked.inputs = None;
+        checked.diagnostics.push(own::NEWER_UNSIMULATED.finding().text("param", name).at(Name::new(name)));
+    }
+    checked.diagnostics = checked.diagnostics.into_iter().map(|one| newer::at_argument(list, one)).collect();
     let before = run.sim.control.number(newer::COARSE);
     run.sim.control.set(newer::COARSE, f64::from(u8::from(newer::is_coarse(&typed))));
     let done = cycle::carry_out(run, cycle, checked, call.span);
     run.sim.control.set(newer::COARSE, before);
     done
+}
+
+/// The arguments without a counterpart that say something: what the control makes of it is not simulated. The measuring
+/// direction is; the modes that every program has say nothing, in the plane in which programs have them.
+fn unsimulated(run: &Interpreter, list: &'static ArgumentList, call: &Call) -> Vec<&'static str> {
+    let says = |argument: &Argument| match call.arg(argument.place - 1) {
+        Some(Datum::Text(text)) => !text.is_empty(),
+        Some(value) => {
+            let usual = match argument.name {
+                newer::MODE => true,
+                newer::PLANE => run.sim.control.plane == Plane::G17,
+                _ => false,
+            };
+            value.number().is_none_or(|number| number != 0.0 && !(usual && number == 1.0))
+        }
+        None => false,
+    };
+    let own = Argument::all(list).filter(|one| one.param.is_none() && one.name != newer::DIRECTION && says(one));
+    own.map(|one| one.key()).filter(|key| !key.is_empty()).collect()
 }
 
 /// The measuring direction that is written, where it does not lead from where the probe is to the set position. The

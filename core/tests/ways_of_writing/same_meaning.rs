@@ -96,6 +96,11 @@ fn every_way_of_writing_does_the_same() {
                 let Some((values, other)) = whole(cycle, &values, style) else {
                     continue;
                 };
+                // which sign of the infeed leads down in a list is not published: its run stops
+                let infeed = cycle.name != "CYCLE998" && values.get("_ID").is_some_and(|text| text != "0");
+                if style == Style::Operate && infeed {
+                    continue;
+                }
                 let setup = before_the_part(cycle, &values);
                 let direct = written(cycle.name, &values, Style::Direct);
                 let (numbers, control) = done(cycle, &setup, &direct.text);

@@ -5,7 +5,7 @@ import { el } from "../dom";
 import { type Bytes, decodeFrom, type Encoding, PIECE } from "../encoding";
 import { type Pace, sliced, within } from "../pace";
 import { say, t } from "../texts";
-import type { Dialect } from "../wire";
+import type { Dialect, Recognised } from "../wire";
 import { markInPieces } from "./mark";
 
 /** `opened`: when, ms; what is not opened from a file has none. */
@@ -107,7 +107,7 @@ async function recognised(
   bytes: Bytes,
   core: ProgramCore,
   pace: Pace,
-): Promise<{ encoding: Encoding; control?: Dialect } | { why: string }> {
+): Promise<Extract<Recognised, { encoding: Encoding }> | { why: string }> {
   const recogniser = core.recogniser();
   for (let at = 0; at < bytes.length; at += PIECE) {
     recogniser.take((await bytes.from(at)).subarray(0, PIECE));
@@ -128,6 +128,7 @@ export async function readProgram(
   try {
     const found = await recognised(bytes, core, within(pace, 0, 0.5));
     if ("why" in found) return { key: "refused-no-program", args: { name, ...found } };
+    if (found.log) return { key: "refused-no-program", args: { name, why: say(found.log) } };
     const { encoding, control } = found;
     if (!holds(encoding.startsWith("utf-16") ? file.size / 2 : file.size)) return notHeld(file);
     const text = await decodeFrom(bytes, encoding, within(pace, 0.5, 0.9));

@@ -4,10 +4,10 @@
 use clap::ValueEnum;
 use probewright_core::dialect::Dialect;
 use probewright_core::encoding::{Encoding, recognise};
-use probewright_core::json;
 use probewright_core::machine::setup::Setup;
-use probewright_core::message::Message;
+use probewright_core::message::{Message, printable};
 use probewright_core::words::Words;
+use probewright_core::{app, foreign, json};
 use serde_json::Value;
 use std::io::{BufWriter, ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
@@ -125,6 +125,18 @@ fn limited(path: &Path, largest: u64) -> Result<Vec<u8>, Problem> {
 pub fn program(path: &Path) -> Result<Vec<u8>, Problem> {
     let ends = std::fs::metadata(path).is_ok_and(|file| file.is_file());
     decoded(path, limited(path, if ends { LARGEST_PROGRAM } else { LARGEST })?)
+}
+
+/// Refuses a log of measurements where a program is wanted, and says where it is read.
+pub fn no_log(path: &Path, source: &[u8]) -> Result<(), Problem> {
+    let foreign = foreign::log_of(source).map(|control| control.name);
+    let key = match (foreign, app::log_of(source)) {
+        (Some(_), _) => "terminal-foreign-log",
+        (None, Some(_)) => "terminal-read-log",
+        (None, None) => return Ok(()),
+    };
+    let told = Message::new(key).text("path", printable(&path.display().to_string()));
+    Err(wrong_file(path, told.text("control", foreign.unwrap_or_default())))
 }
 
 /// Bytes of a text in UTF-8.

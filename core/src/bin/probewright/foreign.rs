@@ -27,6 +27,9 @@ pub fn list(path: &Path, view: &ForeignView, words: &Words, out: &mut dyn Write)
         for figure in &log.figures {
             writeln!(out, "    {}", told(figure))?;
         }
+        for line in &log.unread {
+            writeln!(out, "{path}:{line}: {}", words.key("terminal-log-unread"))?;
+        }
     }
     Ok(())
 }
@@ -63,6 +66,7 @@ pub fn write(name: &str, values: &[String]) -> Result<Option<String>, Problem> {
         Unwritten::Unpublished(why) => why,
         Unwritten::Unknown(name) => Message::new("terminal-parameter").text("cycle", cycle.name).text("name", name),
         Unwritten::NoNumber(name) | Unwritten::Outside(name) => Message::new("foreign-outside").text("name", name),
+        Unwritten::Limits(most, least) => Message::new("foreign-limits").text("maximum", most).text("minimum", least),
         Unwritten::Missing(names) => {
             Message::new("foreign-needs").text("cycle", cycle.name).text("names", names.join(", "))
         }

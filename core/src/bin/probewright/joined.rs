@@ -60,7 +60,9 @@ pub struct Joined {
 impl Joined {
     /// Reads a program and the files with it.
     pub fn read(path: &Path, with: &[PathBuf], control: Option<file::Control>) -> Result<Joined, Problem> {
-        Joined::around(path, file::program(path)?, with, control, &file::program)
+        let source = file::program(path)?;
+        file::no_log(path, &source)?;
+        Joined::around(path, source, with, control, &file::program)
     }
 
     /// A program whose text is known, with the files around it as `read` gives them.

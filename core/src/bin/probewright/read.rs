@@ -33,7 +33,7 @@ pub struct Arguments {
 /// Lists the measuring calls of a program.
 pub fn read(asked: &Arguments, words: &Words, out: &mut dyn Write) -> Result<ExitCode, Problem> {
     let machine = asked.setup.as_ref().map(|path| file::setup(path, asked.json, words, out)).transpose()?;
-    let joined = Joined::read(&asked.file, &asked.with, asked.control)?;
+    let joined = Joined::around(&asked.file, file::program(&asked.file)?, &asked.with, asked.control, &file::program)?;
     if let Some(view) = app::foreign(&joined.text).filter(|_| asked.control.is_none()) {
         match asked.json {
             true => file::print_json(json::document(&view), words, out)?,
@@ -41,10 +41,10 @@ pub fn read(asked: &Arguments, words: &Words, out: &mut dyn Write) -> Result<Exi
         }
         return Ok(ExitCode::SUCCESS);
     }
-    if app::is_log(&joined.text) {
-        let path = printable(&asked.file.display().to_string());
-        return Err(file::wrong_file(&asked.file, Message::new("terminal-read-log").text("path", path)));
+    if probewright_core::foreign::log_of(&joined.text).is_some() {
+        return Err(file::wrong_file(&asked.file, Message::new("terminal-log-empty")));
     }
+    file::no_log(&asked.file, &joined.text)?;
     let control = machine.map_or_else(|| delivery(joined.dialect), |setup| setup.control);
     let joined = joined.of(control.dialect);
     let program = syntax::read_held(joined.dialect, &joined.text, &control.definitions.macros, &mut |_| {});

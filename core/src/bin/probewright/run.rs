@@ -13,6 +13,7 @@ use probewright_core::catalogue::alarms;
 use probewright_core::control::Value;
 use probewright_core::diagnostic::{Diagnostic, Severity};
 use probewright_core::entry::{Unit, unit_behind};
+use probewright_core::foreign::control_of;
 use probewright_core::machine::Setup;
 use probewright_core::machine::trace::Step;
 use probewright_core::message::{Arg, Message, printable};
@@ -26,6 +27,7 @@ use probewright_core::run::outcome::Outcome;
 use probewright_core::run::{Limits, Session, assumed};
 use probewright_core::syntax::{self, Program};
 use probewright_core::words::{Words, rounded};
+use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::io::Write;
 use std::path::PathBuf;
@@ -92,6 +94,10 @@ pub fn run(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Result<
     let text = Text::of(arguments)?;
     let file = arguments.file.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
     let given = Given { file, program: arguments.program.clone(), values: values(&arguments.arg)? };
+    if let Some(control) = control_of(&text.joined.text).filter(|_| protocol.is_some() || record.is_some()) {
+        let told = Message::new("terminal-foreign-record").text("control", control.name);
+        return Err(file::wrong_file(&arguments.file, told));
+    }
     let (mode, target) = (arguments.mode(), arguments.target.unwrap_or_default());
     let limits = Limits { strict: arguments.strict, mode, target, ..Limits::default() }.permitted(arguments.max_blocks);
     let limits = if arguments.whole() { limits } else { limits.unrecorded() };
@@ -224,9 +230,15 @@ struct Text {
 
 impl Text {
     fn of(arguments: &Arguments) -> Result<Text, Problem> {
-        let language = |source: &[u8]| file::dialect(arguments.control, source);
+        let begins = RefCell::new(Ok(()));
+        let language = |source: &[u8]| {
+            *begins.borrow_mut() = file::no_log(&arguments.file, source);
+            file::dialect(arguments.control, source)
+        };
         let alone = !arguments.whole() && arguments.with.is_empty() && arguments.program.is_none();
-        match alone.then(|| Stream::of(&arguments.file, language)).flatten() {
+        let stream = alone.then(|| Stream::of(&arguments.file, language)).flatten();
+        begins.into_inner()?;
+        match stream {
             Some(stream) => Ok(Text { joined: Joined::unheld(&arguments.file, stream.dialect), stream: Some(stream) }),
             None => Text::whole(arguments),
         }

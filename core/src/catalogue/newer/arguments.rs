@@ -64,6 +64,10 @@ impl Known {
         Known { list, ..self }
     }
 
+    const fn meaning(self, meaning: &'static str) -> Known {
+        Known { meaning, ..self }
+    }
+
     const fn usual(self, usual: &'static str) -> Known {
         Known { usual, ..self }
     }
@@ -76,31 +80,43 @@ impl Known {
 /// Key of what `S_ID` is where the probe moves down to the measuring height.
 const INFEED: &str = "argument-infeed";
 
+/// Key of what the values of CYCLE961 are: its variants, whose numbers are not published, decide which.
+const POINTS: &str = "argument-points";
+/// Key of what `S_TSA` is in cycles that the older control does not have.
+const SAFE: &str = "argument-safe";
+
 /// Practice: published programs and generators; alarms: the remedies of the newer controls. What counts for one list
 /// stands before what counts for all.
 const ARGUMENTS: &[Known] = &[
     values("S_MVAR", "", ""),
     name_only("S_KNUM").of("CYCLE971"),
     name_only("S_KNUM").of("CYCLE982"),
+    name_only("S_KNUM").of("CYCLE995"),
+    name_only("S_KNUM").of("CYCLE9960"),
     values("S_KNUM", "", "argument-zero"),
     alarm("S_KNUM1", "", 61328, "argument-tool").older("_KNUM"),
-    alarm("S_PRNUM", "", 61313, ""),
+    alarm("S_PRNUM", "", 61416, "argument-tool-probe").of("CYCLE971"),
+    alarm("S_PRNUM", "", 61416, "argument-tool-probe").of("CYCLE982"),
+    alarm("S_PRNUM", "", 61313, "argument-probe"),
     alarm("S_SETV", "", 61424, "argument-ball").of("CYCLE996"),
     name_only("S_SETV").of("CYCLE9960"),
     alarm("S_SETV", "", 61346, ""),
-    alarm("S_SETV0", "", 61367, "").of("CYCLE961"),
-    alarm("S_SETV1", "", 61367, "").of("CYCLE961"),
-    alarm("S_SETV2", "", 61367, "").of("CYCLE961"),
-    alarm("S_SETV3", "", 61367, "").of("CYCLE961"),
-    alarm("S_SETV4", "", 61368, "").of("CYCLE961"),
-    alarm("S_SETV5", "", 61368, "").of("CYCLE961"),
-    alarm("S_SETV6", "", 61369, "").of("CYCLE961"),
-    alarm("S_SETV7", "", 61369, "").of("CYCLE961"),
-    values("S_SETV0", "", "").of("CYCLE977"),
-    values("S_SETV1", "", "").of("CYCLE977"),
-    values("S_SETV0", "", "").of("CYCLE998"),
+    alarm("S_SETV0", "", 61367, POINTS).of("CYCLE961"),
+    alarm("S_SETV1", "", 61367, POINTS).of("CYCLE961"),
+    alarm("S_SETV2", "", 61367, POINTS).of("CYCLE961"),
+    alarm("S_SETV3", "", 61367, POINTS).of("CYCLE961"),
+    alarm("S_SETV4", "", 61368, POINTS).of("CYCLE961"),
+    alarm("S_SETV5", "", 61368, POINTS).of("CYCLE961"),
+    alarm("S_SETV6", "", 61369, POINTS).of("CYCLE961"),
+    alarm("S_SETV7", "", 61369, POINTS).of("CYCLE961"),
+    alarm("S_SETV0", "", 61346, "").of("CYCLE977"),
+    alarm("S_SETV1", "", 61346, "").of("CYCLE977"),
+    named("S_SETV0", "").of("CYCLE998"),
     alarm("S_FA", "DFA", 61308, ""),
     name_only("S_TSA").of("CYCLE961"),
+    alarm("S_TSA", "TSA", 61303, SAFE).of("CYCLE995"),
+    alarm("S_TSA", "TSA", 61303, SAFE).of("CYCLE996"),
+    alarm("S_TSA", "TSA", 61303, SAFE).of("CYCLE9960"),
     alarm("S_TSA", "TSA", 61303, ""),
     values("S_STA1", "α0", "argument-probing-angle").of("CYCLE977"),
     named("S_STA1", "α0"),
@@ -122,9 +138,9 @@ const ARGUMENTS: &[Known] = &[
     alarm("S_TNAME", "", 61320, "").usual("\"\""),
     named("S_DLNUM", "DL"),
     values("S_TZL", "", "").usual("0"),
-    alarm("S_TDIF", "DIF", 61306, ""),
-    values("S_TUL", "", ""),
-    values("S_TLL", "", ""),
+    alarm("S_TDIF", "DIF", 61306, "").usual("1.01"),
+    values("S_TUL", "", "").usual("1.01"),
+    values("S_TLL", "", "").usual("-1.01"),
     values("S_TMV", "", ""),
     alarm("S_F1", "F1", 61350, ""),
     alarm("S_S1", "S1", 61350, ""),
@@ -138,12 +154,13 @@ const ARGUMENTS: &[Known] = &[
     named("S_CPO", ""),
     named("S_CALNUM", ""),
     alarm("S_TC", "", 61423, "argument-carrier").older("_TNUM"),
-    alarm("S_TNVL", "", 61430, ""),
+    alarm("S_TNVL", "", 61430, "argument-vectors").of("CYCLE996"),
+    named("S_TNVL", ""),
     values("S_XM", "", "argument-centre-x"),
     values("S_YM", "", "argument-centre-y"),
-    Known { evidence: Evidence::Name, ..values("S_MCBIT", "", "argument-bits").older("_CBIT[], _CHBIT[]") },
+    named("S_MCBIT", "").meaning("argument-bits").older("_CBIT[], _CHBIT[]"),
     values("_DMODE", "", "argument-plane").usual("1"),
-    values("_AMODE", "", "argument-mode").of("CYCLE998"),
+    named("_AMODE", "").meaning("argument-mode").of("CYCLE998"),
     values("_AMODE", "", "argument-mode").usual("1"),
     Known { meaning: "argument-unnamed", ..name_only("") },
 ];
@@ -190,6 +207,7 @@ impl Argument {
         match (self.name, self.place) {
             _ if self.list.style != Style::Operate => "",
             ("", 2) => "2",
+            ("", 3) => "3",
             ("", 4) => "4",
             ("", 19) => "19",
             ("", 23) => "23",
@@ -218,9 +236,12 @@ impl Argument {
         self.param.is_none() && self.evidence() == Evidence::Values && !mode
     }
 
-    /// How its meaning is known. Of a variant nothing is known but in lists that are written.
+    /// How its meaning is known. Programs are published with the lists that are written alone.
     pub fn evidence(&self) -> Evidence {
-        if self.is_variant() && !self.list.is_written() { Evidence::Name } else { self.known.evidence }
+        match self.known.evidence {
+            Evidence::Values if !self.list.is_written() => Evidence::Name,
+            known => known,
+        }
     }
 
     /// The alarm whose remedy names it.
@@ -293,6 +314,7 @@ mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
     use crate::catalogue::newer::LISTS;
+    use crate::test_data::{data, rows};
 
     // oracle: self (a row that no list has would be read by nobody; a name of which nothing is said is only a name)
     #[test]
@@ -315,6 +337,20 @@ mod tests {
         }
     }
 
+    // oracle: peer, tests/data/newer_calls.tsv (calls that machine users and generators publish)
+    #[test]
+    fn what_is_known_from_programs_stands_in_one() {
+        let calls = rows(data!("newer_calls.tsv"));
+        let given = |argument: &Argument| {
+            let of_cycle = calls.iter().filter(|row| row[0] == argument.list.name);
+            let mut texts = of_cycle.filter_map(|row| row[1].split(',').nth(argument.place - 1));
+            texts.any(|text| !text.is_empty() && text != "\"\"")
+        };
+        for argument in LISTS.iter().flat_map(Argument::all).filter(|one| one.evidence() == Evidence::Values) {
+            assert!(given(&argument), "{} {}", argument.list.name, argument.name);
+        }
+    }
+
     // oracle: self (what is published is told of an argument that the list has)
     #[test]
     fn numbers_are_published_of_arguments_of_the_list() {
@@ -334,6 +370,6 @@ mod tests {
         assert_eq!(open("CYCLE977"), ["S_KNUM1", "S_MCBIT", "_DP"]);
         assert_eq!(open("CYCLE978"), ["S_KNUM1", "S_MCBIT", "_DP"]);
         assert_eq!(open("CYCLE150"), ["S_PICT", "", "S_PROT", "", "S_PATH"]);
-        assert_eq!(open("CYCLE982"), ["S_MVAR", "S_KNUM", "S_ID", "S_MCBIT", ""]);
+        assert_eq!(open("CYCLE982"), ["S_MVAR", "S_KNUM", "S_ID", "S_MCBIT", "_DMODE", "_AMODE", ""]);
     }
 }

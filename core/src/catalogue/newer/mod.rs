@@ -113,11 +113,18 @@ const ELEMENTS: When = When::Variant(&[
 /// `_AMODE`, or 11 where the centre is given; an omitted one is 0.
 const PLANE: (&str, Published) = ("_DMODE", Published::OneOf(&[0.0, 1.0]));
 const MODE: (&str, Published) = ("_AMODE", Published::OneOf(&[0.0, 1.0, 11.0]));
+/// The tool that is corrected, the options and the last argument: no number of theirs is published.
+const TOOL: (&str, Published) = ("S_KNUM1", Published::OneOf(&[0.0]));
+const OPTIONS: (&str, Published) = ("S_MCBIT", Published::OneOf(&[0.0]));
+const LAST: (&str, Published) = ("_DP", Published::OneOf(&[0.0]));
 /// Directions of two independent machine users.
-const DIRECTIONS: (&str, Published) = ("S_MD", Published::OneOf(&[1.0, 2.0]));
+const DIRECTIONS: (&str, Published) = ("S_MD", Published::OneOf(&[0.0, 1.0, 2.0]));
 
 const fn list(name: &'static str, when: When) -> ArgumentList {
-    let source = "practice: published lists and generated programs of newer controls";
+    let source = match when {
+        When::Any([]) => "practice: superfestung/MyNotepad_plus_plus_tools: NC-Code.xml",
+        _ => "practice: superfestung/MyNotepad_plus_plus_tools: NC-Code.xml; jakvok/Siemens_probing; mikejg/CamHelper",
+    };
     ArgumentList { style: Style::Operate, name, when, base: 0, args: &[], published: &[], source }
 }
 
@@ -217,7 +224,7 @@ pub const CYCLE977: ArgumentList = list("CYCLE977", ELEMENTS)
         DP,
     ])
     // a generator of machine users asks for a probing angle from -359 to 359
-    .publishing(&[PLANE, MODE, ("S_STA1", Published::Within(-359.0, 359.0))]);
+    .publishing(&[TOOL, OPTIONS, LAST, PLANE, MODE, ("S_STA1", Published::Within(-359.0, 359.0))]);
 
 /// CYCLE978. Programs leave out the measuring direction too; here the side on which the probe stands tells it.
 pub const CYCLE978: ArgumentList = list("CYCLE978", When::Variant(&[0, 100]))
@@ -225,7 +232,7 @@ pub const CYCLE978: ArgumentList = list("CYCLE978", When::Variant(&[0, 100]))
         S_MVAR, S_KNUM, S_KNUM1, S_PRNUM, S_SETV, S_FA, S_TSA, S_MA, S_MD, S_NMSP, S_TNAME, S_DLNUM, S_TZL, S_TDIF,
         S_TUL, S_TLL, S_TMV, S_K, S_EVNUM, S_MCBIT, DMODE, AMODE, DP,
     ])
-    .publishing(&[PLANE, MODE, DIRECTIONS]);
+    .publishing(&[TOOL, OPTIONS, LAST, PLANE, MODE, DIRECTIONS]);
 
 pub const CYCLE979: ArgumentList = list("CYCLE979", NEVER).args(&[
     S_MVAR, S_KNUM, S_KNUM1, S_PRNUM, S_SETV, S_FA, S_TSA, S_CPA, S_CPO, S_STA1, S_INCA, S_NMSP, S_TNAME, S_DLNUM,
@@ -296,6 +303,16 @@ pub const CYCLE998: ArgumentList = list("CYCLE998", When::Variant(&[105]))
 /// CYCLE150 shows the results on a screen and writes the log. Two places of the published list have no name.
 pub const CYCLE150: ArgumentList =
     list("CYCLE150", NEVER).args(&[alone("S_PICT"), UNNAMED, alone("S_PROT"), UNNAMED, alone("S_PATH")]);
+
+/// CYCLE150 with three arguments at most: whether the two places without a name are an artefact of the published list is
+/// open, and with it which argument is `S_PROT` and which `S_PATH`.
+pub static CYCLE150_SHORT: ArgumentList = list("CYCLE150", NEVER).args(&[alone("S_PICT"), UNNAMED, UNNAMED]);
+
+/// The list of a call with so many arguments.
+pub fn of_count(list: &'static ArgumentList, count: usize) -> &'static ArgumentList {
+    let is_short = list.name == CYCLE150_SHORT.name && count <= CYCLE150_SHORT.args.len();
+    if is_short { &CYCLE150_SHORT } else { list }
+}
 
 /// CYCLE995, which measures how far a spindle is out of square.
 pub const CYCLE995: ArgumentList = list("CYCLE995", NEVER).args(&[

@@ -1,10 +1,12 @@
 //! The log of a measuring cycle: set values, limits, actual values and deviations, each a group of lines
 //! (TNC7, 81762x-19, recording the results of measurement: log of cycle 421).
 
-use super::super::{Log, LogRow};
+use super::super::{Log, LogRow, figure};
 
 /// How a log begins.
 const BEGIN: &str = "measuring log for touch probe cycle";
+/// Lines of a text among which the first of a log is looked for.
+const HEAD: usize = 20;
 /// Rows of a log at most; more is another file.
 const MOST: usize = 1000;
 
@@ -25,13 +27,18 @@ const GROUPS: [(&str, Group); 4] = [
     ("deviations", Group::Deviations),
 ];
 
+/// Whether a text begins as a log.
+pub fn is_log(text: &str) -> bool {
+    text.lines().take(HEAD).any(|line| begun(line.trim_start_matches('\u{feff}').trim()).is_some())
+}
+
 /// The logs of a text, in their order.
 pub fn logs(text: &str) -> Vec<Log> {
     let mut found: Vec<Log> = Vec::new();
     let mut group = Group::Head;
     let mut waiting: Option<String> = None;
     for (line, number) in text.lines().zip(1..) {
-        let line = line.trim();
+        let line = line.trim_start_matches('\u{feff}').trim();
         if let Some(cycle) = begun(line) {
             found.push(cycle);
             (group, waiting) = (Group::Head, None);
@@ -63,11 +70,19 @@ fn begun(line: &str) -> Option<Log> {
     let number = line.get(head.len()..)?.split_whitespace().next()?;
     let cycle = format!("TCH PROBE {number}");
     let none = String::new;
-    Some(Log { cycle, date: none(), time: none(), program: none(), is_inch: false, rows: Vec::new() })
+    Some(Log {
+        cycle,
+        date: none(),
+        time: none(),
+        program: none(),
+        is_inch: false,
+        rows: Vec::new(),
+        unread: Vec::new(),
+    })
 }
 
 fn is_figure(text: &str) -> bool {
-    text.parse::<f64>().is_ok_and(f64::is_finite)
+    figure(text).is_some()
 }
 
 /// What a line says.
@@ -82,7 +97,10 @@ fn put(log: &mut Log, group: Group, label: &str, value: &str, line: u32) {
         }
         return;
     }
-    if !is_figure(value) || log.rows.len() >= MOST {
+    if !is_figure(value) {
+        return log.unread.push(line);
+    }
+    if log.rows.len() >= MOST {
         return;
     }
     if group == Group::Limits {

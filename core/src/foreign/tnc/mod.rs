@@ -19,6 +19,7 @@ pub static CONTROL: Foreign = Foreign {
     is_program: read::is_program,
     calls: read::calls,
     values: read::values_of_line,
+    is_log: log::is_log,
     logs: log::logs,
     call,
 };

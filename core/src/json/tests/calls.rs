@@ -270,7 +270,8 @@ fn help_is_asked_by_variant() {
 // target)
 #[test]
 fn a_list_of_a_newer_control_keeps_its_rules_on_the_page() {
-    let calls = ["CYCLE977(1101,10001,,1,32,,,7,5,11,16,5,,,1)", "CYCLE978(0,,,1,-55,15,5,1,2,1)"];
+    let calls =
+        ["CYCLE977(1101,10001,,1,32,,,7,5,11,16,5,,,1)", "CYCLE978(0,,,1,-55,15,5,1,2,1,\"\",,0,1.01,1.01,-1.01)"];
     for call in calls {
         let text = format!("{call}\nM30\n");
         let asked = json!({ "control": "sinumerik", "text": text });

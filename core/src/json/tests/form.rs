@@ -136,7 +136,8 @@ fn the_start_of_a_list_follows_its_direction() {
         own.map(|one| one["param"].as_str().unwrap_or_default().to_owned()).collect()
     };
     for (direction, side) in [("1", -1.0), ("2", 1.0)] {
-        let face = json!({ "_MVAR": "100", "_SETVAL": "12", "_MA": "1", "_KNUM": "1", "_FA": "2", "S_MD": direction });
+        let face = json!({ "_MVAR": "100", "_SETVAL": "12", "_MA": "1", "_KNUM": "1", "_PRNUM": "1", "_FA": "2",
+            "_TSA": "5", "_NMSP": "1", "S_MD": direction });
         let view = ask("CYCLE978", face);
         assert_eq!(told(&view), [""; 0], "{direction}");
         let start = view["setup"]["position"][0].as_f64().unwrap();
@@ -146,7 +147,7 @@ fn the_start_of_a_list_follows_its_direction() {
     // an edge at an angle, measured along the ordinate; 998 has the same numbers (CamHelper cd6e996)
     for (direction, side) in [("1", -1.0), ("2", 1.0)] {
         let edge = json!({ "_MVAR": "105", "_SETVAL": "12", "_MA": "102", "_STA1": "0", "_ID": "40", "_KNUM": "1",
-            "_RA": "0", "_PRNUM": "1", "_FA": "10", "_TSA": "5", "S_MD": direction });
+            "_RA": "0", "_PRNUM": "1", "_FA": "10", "_TSA": "5", "_NMSP": "1", "S_MD": direction });
         let view = ask("CYCLE998", edge);
         assert_eq!(told(&view), [""; 0], "{direction}");
         let start = view["setup"]["position"][1].as_f64().unwrap();
@@ -154,14 +155,20 @@ fn the_start_of_a_list_follows_its_direction() {
         assert_eq!(view["outcome"]["alarms"], json!([]), "{direction}");
     }
     // from above a face is measured downwards only
-    let up = json!({ "_MVAR": "100", "_SETVAL": "12", "_MA": "3", "_KNUM": "1", "_FA": "2", "S_MD": "1" });
+    let up = json!({ "_MVAR": "100", "_SETVAL": "12", "_MA": "3", "_KNUM": "1", "_PRNUM": "1", "_FA": "2", "_TSA": "5",
+        "_NMSP": "1", "S_MD": "1" });
     let up = ask("CYCLE978", up);
     assert_eq!(told(&up), ["S_MD"]);
     assert!(up["outcome"].is_null(), "measured downwards, it would look as if the call did so");
     let hole = json!({ "_MVAR": "101", "_SETVAL": "50", "_KNUM": "1", "_FA": "2", "S_STA1": "30", "S_XM": "5" });
     assert_eq!(told(&ask("CYCLE977", hole)), ["S_STA1", "S_XM"]);
-    let boss = json!({ "_MVAR": "102", "_SETVAL": "50", "_KNUM": "1", "_FA": "2", "_ID": "16" });
-    assert_eq!(told(&ask("CYCLE977", boss)), ["_ID"]);
+    for infeed in ["16", "-16"] {
+        let boss = json!({ "_MVAR": "102", "_SETVAL": "50", "_KNUM": "1", "_PRNUM": "1", "_FA": "2", "_TSA": "5",
+            "_NMSP": "1", "_ID": infeed });
+        let boss = ask("CYCLE977", boss);
+        assert_eq!(told(&boss), ["_ID"]);
+        assert!(boss["outcome"].is_null(), "which sign leads down is not published");
+    }
 }
 
 // oracle: peer (published lists: 10001 is G54 coarse; digits of CYCLE979 are not published); hand
@@ -218,7 +225,13 @@ fn a_form_in_a_list_says_what_the_list_says() {
         view["fields"].as_array().unwrap().iter().find(|one| one["name"] == name).cloned().unwrap_or_default()
     };
     for written in [true, false] {
-        let view = ask(written, json!({ "_MVAR": "1", "_SETVAL": "50" }));
+        // what a program omits is 0, what a new call omits is written as the form shows it
+        let short = json!({ "_MVAR": "1", "_SETVAL": "50" });
+        assert_eq!(ask(written, short.clone())["complete"], !written);
+        let whole = json!({ "_MVAR": "1", "_SETVAL": "50", "_PRNUM": "1", "_FA": "2", "_TSA": "5", "_NMSP": "1",
+            "_TZL": "0", "_TDIF": "1.01", "_TUL": "1.01", "_TLL": "-1.01" });
+        let view = ask(written, if written { whole } else { short });
+        assert_eq!(field(&view, "_FA")["required"], written);
         assert_eq!(view["title"]["key"], "cycle977-hole-measured");
         assert_eq!(view["complete"], true, "{}", view["diagnostics"]);
         assert!(["_VMS", "_TNUM", "_TNAME"].iter().all(|name| field(&view, name)["topic"] != "tool"), "{view}");
@@ -236,7 +249,7 @@ fn a_form_in_a_list_says_what_the_list_says() {
     }
     let text = |values: Value| ask(false, values)["snippet"].as_str().unwrap().to_owned();
     let with_own = json!({ "_MVAR": "101", "_SETVAL": "50", "_KNUM": "1", "S_TUL": "0.3", "S_TNAME": "MILL" });
-    assert!(text(with_own).contains(",1,\"MILL\",,0,,0.3,"), "a value of the list's own section is written");
+    assert!(text(with_own).contains(",1,\"MILL\",,0,1.01,0.3,-1.01,"), "a value of the list's own section is written");
     let measured = text(json!({ "_MVAR": "1", "_SETVAL": "50", "_TUL": "0.1", "_TLL": "-0.1" }));
     assert!(measured.starts_with("CYCLE977(1,,,1,50,") && measured.ends_with("0.1,-0.1,,,,,1,1)\n"), "{measured}");
     // what the list has no place for is kept and told at its field
@@ -333,7 +346,11 @@ fn the_same_task_stands_beside_the_form_as_other_controls_write_it() {
     assert!(keys.starts_with(&["foreign-place", "foreign-usual", "tnc-results"]), "{keys:?}");
     let zero = on_tnc("CYCLE977", json!({ "_MVAR": "101", "_SETVAL": "50", "_KNUM": "1" }));
     assert_eq!(zero["cycle"], "TCH PROBE 412");
-    assert_eq!(zero["differences"][2]["key"], "foreign-datum");
+    assert_eq!(zero["differences"][0]["key"], "foreign-zero-active");
+    assert_eq!(zero["differences"][3]["key"], "foreign-datum");
+    let said: Vec<&str> =
+        zero["shared"].as_array().unwrap().iter().filter_map(|one| one["label"]["key"].as_str()).collect();
+    assert_eq!(said, ["meaning-nominal"], "the call sets the active datum, whichever that is");
     // a boss is described, and its page not published: it is not written
     let boss = on_tnc("CYCLE977", json!({ "_MVAR": "2", "_SETVAL": "50", "_ID": "-30" }));
     assert_eq!((&boss["cycle"], &boss["snippet"]), (&json!("TCH PROBE 422"), &json!("")));

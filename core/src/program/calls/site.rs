@@ -280,7 +280,10 @@ fn expression(held: &Held) -> Option<String> {
 /// Findings about the values of a way, each at its value. Of several that may arrive each is checked by itself.
 fn checked(site: &CallSite, values: &Typed, given: &Given, control: &Control) -> Vec<Diagnostic> {
     let findings = |values: &Typed| match site.newer_list() {
-        Some(list) => newer::check_listed(site.cycle, list, values, control).diagnostics,
+        Some(list) => {
+            let values = newer::with_omitted(site.cycle, values);
+            newer::check_listed(site.cycle, list, &values, control).diagnostics
+        }
         None => check(site.cycle, values, control).diagnostics,
     };
     let mut found = findings(values);

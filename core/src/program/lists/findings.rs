@@ -2,13 +2,13 @@
 //! one place too early; a measuring path in inches; a number that belongs elsewhere. Each has a cure where only one is
 //! possible.
 
-use super::{ListCall, list_call, set};
+use super::{ListCall, list_call, list_calls, set};
 use crate::catalogue::CYCLES;
-use crate::catalogue::newer::LISTS;
-use crate::catalogue::newer::arguments::Argument;
-use crate::check::newer::{DIRECTION, MINUS, is_newer_zero, is_nothing};
+use crate::catalogue::newer::arguments::{Argument, Evidence};
+use crate::catalogue::newer::{CYCLE150_SHORT, LISTS};
+use crate::check::newer::{DIRECTION, MINUS, PROBES, at_argument, is_newer_zero, is_nothing};
 use crate::check::{Parsed, parse};
-use crate::diagnostic::{Diagnostic, Edit, Severity, Span};
+use crate::diagnostic::{Code, Diagnostic, Edit, Severity, Span};
 use crate::entry::{Inputs, names};
 use crate::message::Message;
 use crate::own;
@@ -24,8 +24,9 @@ const INCH: f64 = 25.4;
 pub fn of_call(program: &Program, site: &CallSite) -> Option<Vec<Diagnostic>> {
     site.newer_list()?;
     let call = list_call(program, program.word_at(site.span)?)?;
-    if let Some(shifted) = shifted(program, &call) {
-        return Some(vec![shifted]);
+    let shifted = shifted(program, &call);
+    if shifted.as_ref().is_some_and(|one| one.severity == Severity::Error) {
+        return Some(shifted.into_iter().collect());
     }
     let mut found: Vec<Diagnostic> =
         site.diagnostics.iter().map(|one| with_cure(program, site, &call, one.clone())).collect();
@@ -35,8 +36,9 @@ pub fn of_call(program: &Program, site: &CallSite) -> Option<Vec<Diagnostic>> {
         found.retain(|one| one.code != own::NEWER_OPEN.code() || one.param != Some(names::FA));
     }
     found.extend(inch);
+    found.extend(shifted);
     found.extend(beyond(&call));
-    Some(found)
+    Some(found.into_iter().map(|one| at_argument(call.list, one)).collect())
 }
 
 /// Arguments behind the last one that is published: some control may have them.
@@ -47,11 +49,40 @@ fn beyond(call: &ListCall) -> Option<Diagnostic> {
     Some(finding.on(first.place))
 }
 
-/// A number in argument 2 that this variant does not correct: the variant that does, or no number.
+/// Calls whose number of arguments leaves open what some of them are.
+pub fn of_places(program: &Program) -> impl Iterator<Item = Diagnostic> {
+    let open = |call: &ListCall| std::ptr::eq(call.list, &CYCLE150_SHORT) && call.arguments.len() > 1;
+    let count = |call: &ListCall| call.arguments.len() as f64;
+    let told = move |call: ListCall| {
+        let finding = own::NEWER_PLACES.finding().text("cycle", call.list.name).number("count", count(&call));
+        finding.on(call.span)
+    };
+    list_calls(program).into_iter().filter(open).map(told)
+}
+
+/// The cure of a finding that the list alone has: a measuring path where none is given, another variant or no number for
+/// what stands in argument 2.
 fn with_cure(program: &Program, site: &CallSite, call: &ListCall, one: Diagnostic) -> Diagnostic {
-    if one.code != own::NEWER_TARGET.code() || one.severity == Severity::Error {
+    if one.code == Code::Alarm(61308) && one.cure.is_none() {
+        return with_path(program, site, call, one);
+    }
+    let target = one.code == own::NEWER_TARGET.code() && one.severity != Severity::Error;
+    if target { with_target(program, site, call, one) } else { one }
+}
+
+/// The measuring path as delivered.
+fn with_path(program: &Program, site: &CallSite, call: &ListCall, one: Diagnostic) -> Diagnostic {
+    let default = site.cycle.param(names::FA.as_str()).and_then(|param| param.default);
+    let Some((path, index)) = default.zip(call.list.position(names::FA)) else { return one };
+    let edits: Vec<Edit> = set(program, call, index, &path.to_string()).into_iter().collect();
+    if edits.is_empty() {
         return one;
     }
+    one.cured(Message::new("newer-set-path").number("value", path), edits)
+}
+
+/// A number in argument 2 that this variant does not correct: the variant that does, or no number.
+fn with_target(program: &Program, site: &CallSite, call: &ListCall, one: Diagnostic) -> Diagnostic {
     let number = |index: usize| match call.arguments.get(index).map(|argument| parse(&argument.text)) {
         Some(Parsed::Number(number)) => Some(number),
         _ => None,
@@ -87,34 +118,73 @@ fn inch_path(program: &Program, site: &CallSite, call: &ListCall) -> Option<Diag
     Some(finding.at(names::FA).cured(label, edits))
 }
 
-/// An argument too few or too many, where that alone explains what stands at impossible places.
+/// An argument too few or too many. An error where something stands at an impossible place, and that explains it; a
+/// note where it is only what no published program has there.
 fn shifted(program: &Program, call: &ListCall) -> Option<Diagnostic> {
     let texts: Vec<&str> = call.arguments.iter().map(|argument| argument.text.as_str()).collect();
-    let wrong = misplaced(call, &texts)?;
-    let lost = |missing| {
-        let all = (1..=wrong).map(|at| (at, with(&texts, at)));
-        different(call, all.filter(|(_, texts)| fits(call, texts, missing)))
+    let find = |tells: &dyn Fn(usize, &str) -> bool| (0..texts.len()).find(|index| tells(*index, texts[*index]));
+    let proof = find(&|index, text| is_proof(call, index, text));
+    let wrong = proof.or_else(|| find(&|index, text| is_unheard(call, index, text)))?;
+    let readings = readings(call, &texts, wrong, proof.is_some());
+    let lost = readings.iter().any(|one| one.lost);
+    let one = readings.first().filter(|one| readings.iter().all(|other| other.texts == one.texts));
+    let places = || readings.iter().filter(|one| one.lost == lost).map(|one| one.at);
+    let (mut first, mut last) = (places().min()?, places().max()?);
+    if one.is_some() {
+        // beside an omitted argument a comma more is the same wherever it is
+        (first, last) = if lost { (last, last) } else { (first, first) };
+    }
+    let sentence = match (proof.is_some(), lost, first == last) {
+        (true, true, true) => own::NEWER_LOST,
+        (true, true, false) => own::NEWER_LOST_BETWEEN,
+        (true, false, true) => own::NEWER_MANY,
+        (true, false, false) => own::NEWER_MANY_BETWEEN,
+        (false, true, _) => own::NEWER_LOST_PERHAPS,
+        (false, false, _) => own::NEWER_MANY_PERHAPS,
     };
-    let many = || {
-        let all = (1..=wrong).filter(|at| texts.get(*at).is_some_and(|text| text.is_empty()));
-        different(call, all.map(|at| (at, without(&texts, at))).filter(|(_, texts)| fits(call, texts, 0)))
-    };
-    // what is lost may be something that programs always have
-    let ways = [(own::NEWER_LOST, lost(0)), (own::NEWER_MANY, many()), (own::NEWER_LOST, lost(1))];
-    let (sentence, places) = ways.into_iter().find(|(_, places)| !places.is_empty())?;
-    let (at, _) = if sentence == own::NEWER_LOST { places.last()? } else { places.first()? };
-    let finding = sentence.finding().number("place", *at as f64 + 1.0).on(call.span);
+    let tells = Argument::at(call.list, wrong);
+    let finding = sentence.finding().number("place", first as f64 + 1.0).number("until", last as f64 + 1.0);
+    let finding = finding.text("name", tells.key()).text("value", texts[wrong]);
+    let finding = finding.on(if proof.is_some() { call.span } else { call.arguments[wrong].place });
     let mut all = call.arguments.iter().map(|argument| argument.place).chain([call.span]);
-    if places.len() > 1 || all.any(|place| program.is_of_macro(place)) {
+    if one.is_none() || all.any(|place| program.is_of_macro(place)) {
         return Some(finding);
     }
-    let argument = call.arguments.get(*at)?;
-    let edit = match sentence == own::NEWER_LOST {
+    let argument = call.arguments.get(first)?;
+    let edit = match lost {
         true => Edit::insert(argument.place.start, ","),
-        false => Edit::remove(argument.place.start, call.arguments.get(at + 1)?.place.start),
+        false => Edit::remove(argument.place.start, call.arguments.get(first + 1)?.place.start),
     };
-    let label = if sentence == own::NEWER_LOST { "newer-set-lost" } else { "newer-set-many" };
-    Some(finding.cured(Message::new(label).number("place", *at as f64 + 1.0), vec![edit]))
+    let label = if lost { "newer-set-lost" } else { "newer-set-many" };
+    Some(finding.cured(Message::new(label).number("place", first as f64 + 1.0), vec![edit]))
+}
+
+/// A way to read a call with one comma more or less.
+struct Reading<'a> {
+    /// Whether an argument was lost; else one is too many.
+    lost: bool,
+    /// Index of that argument.
+    at: usize,
+    /// The arguments as they are meant.
+    texts: Vec<&'a str>,
+}
+
+/// Every way in which each argument can be what it is. What is lost may be something that programs always have.
+fn readings<'a>(call: &ListCall, texts: &[&'a str], wrong: usize, proven: bool) -> Vec<Reading<'a>> {
+    let lost = (1..=wrong).map(|at| Reading { lost: true, at, texts: with(texts, at) });
+    let surplus = (1..=wrong).filter(|at| texts[*at].is_empty());
+    let surplus = surplus.map(|at| Reading { lost: false, at, texts: without(texts, at) });
+    let (mut found, rest): (Vec<_>, Vec<_>) = lost.chain(surplus).partition(|one| fits(call, &one.texts, 0));
+    if (proven || !found.is_empty()) && found.iter().all(|one| one.lost) {
+        found.extend(rest.into_iter().filter(|one| one.lost && fits(call, &one.texts, 1)));
+    }
+    // programs leave `S_KNUM1` empty in the lists that are understood
+    let tool = call.index("S_KNUM1").filter(|_| call.list.is_written());
+    let usual = |one: &Reading| tool.and_then(|tool| one.texts.get(tool)).is_none_or(|text| is_nothing(text));
+    if found.iter().any(usual) {
+        found.retain(usual);
+    }
+    found
 }
 
 /// The arguments with an empty one before this index.
@@ -131,38 +201,17 @@ fn without<'a>(texts: &[&'a str], at: usize) -> Vec<&'a str> {
     texts
 }
 
-/// Those that differ in their arguments: a comma more beside an empty argument gives the same. Programs leave `S_KNUM1`
-/// empty in the lists that are understood, so a way on which something comes there counts only where no other does.
-fn different<'a>(call: &ListCall, all: impl Iterator<Item = (usize, Vec<&'a str>)>) -> Vec<(usize, Vec<&'a str>)> {
-    let mut found: Vec<(usize, Vec<&str>)> = Vec::new();
-    for (at, texts) in all {
-        if found.iter().all(|(_, other)| *other != texts) {
-            found.push((at, texts));
-        }
-    }
-    let tool = call.index("S_KNUM1").filter(|_| call.list.is_written());
-    let usual =
-        |(_, texts): &(usize, Vec<&str>)| tool.and_then(|tool| texts.get(tool)).is_none_or(|text| is_nothing(text));
-    if found.iter().any(usual) {
-        found.retain(usual);
-    }
-    found
+/// What cannot stand there, so that the call is wrong: a text where a number belongs, a number of a probe that no control
+/// has (61313). A wrong value elsewhere may be just that.
+fn is_proof(call: &ListCall, index: usize, text: &str) -> bool {
+    let telling = text.starts_with('"') || Argument::at(call.list, index).name == "S_PRNUM";
+    telling && cannot_stand(call, index, text)
 }
 
-/// Arguments that tell of a shift by a number that cannot stand there; in the lists that are understood, those behind
-/// the first too.
-const TELLING: [&str; 7] = ["S_PRNUM", "S_MCBIT", "_DMODE", "S_MA", DIRECTION, "S_NMSP", "_DP"];
-
-/// The first argument that tells of a shift: a text where none belongs, a number that no program has there. What else
-/// is wrong may be a wrong value.
-fn misplaced(call: &ListCall, texts: &[&str]) -> Option<usize> {
-    let known = if call.list.is_written() { &TELLING[..] } else { &TELLING[..1] };
-    let tells = |index: &usize| {
-        let text = texts.get(*index).copied().unwrap_or_default();
-        let telling = known.contains(&Argument::at(call.list, *index).name);
-        (telling || text.starts_with('"')) && cannot_stand(call, *index, text)
-    };
-    (0..texts.len()).find(tells)
+/// What no published program has there, in the lists that are understood.
+fn is_unheard(call: &ListCall, index: usize, text: &str) -> bool {
+    let Parsed::Number(number) = parse(text) else { return false };
+    call.list.is_written() && unheard(call, Argument::at(call.list, index).name, number)
 }
 
 /// Whether each argument can be what it is, and what programs always have is there, in the lists that are understood:
@@ -177,42 +226,45 @@ fn fits(call: &ListCall, texts: &[&str], lacking: usize) -> bool {
     let centre = ["S_XM", "S_YM"].into_iter().any(|name| call.index(name).is_some() && !empty(name));
     let mode = call.index("_AMODE").and_then(|index| Some(parse(texts.get(index)?)));
     let alone = centre && matches!(mode, Some(Parsed::Number(mode)) if mode < BESIDE);
-    texts.iter().enumerate().all(stands) && missing == lacking && !alone
+    let behind = texts.iter().skip(call.list.args.len()).any(|text| !text.is_empty());
+    texts.iter().enumerate().all(stands) && missing == lacking && !alone && !behind
 }
 
-/// Whether a text cannot be this argument: a number outside what it can be, a name where a number belongs or the
-/// reverse, anything where programs leave it empty.
+/// Whether a text cannot be this argument: a number outside what it can be, a text where a number belongs or the
+/// reverse, a number that no published program has there. Of arguments whose sort is not published anything can be.
 fn cannot_stand(call: &ListCall, index: usize, text: &str) -> bool {
     let argument = Argument::at(call.list, index);
     if text.starts_with('"') {
-        return !matches!(argument.name, "S_TNAME" | "S_PATH" | "");
+        let number = argument.param.is_some() || argument.evidence() == Evidence::Values;
+        return number && argument.name != "S_TNAME";
     }
     let Parsed::Number(number) = parse(text) else { return false };
     let whole = number.fract() == 0.0;
-    if call.list.is_written() && unheard(call, argument.name, number) {
+    if is_unheard(call, index, text) {
         return true;
     }
     match argument.name {
         "S_TNAME" => true,
-        "S_PRNUM" => !(whole && (1.0..=12.0).contains(&number)),
+        "S_PRNUM" => !(whole && (1.0..=PROBES).contains(&number)),
         "S_FA" => number <= 0.0,
         "S_TSA" => number < 0.0,
-        "S_NMSP" => !(whole && number >= 1.0),
         _ => false,
     }
 }
 
-/// Whether no program has such a number there, in the lists that are understood: the working plane is 1, the options
-/// and the last argument are empty, the axes of CYCLE998 are two digits of an axis.
+/// Whether no published program has such a number there, in the lists that are understood: the working plane is 1, the
+/// options and the last argument are empty, the axes of CYCLE998 are two digits of an axis. 0 is as if omitted.
 fn unheard(call: &ListCall, name: &str, number: f64) -> bool {
     let of_two_axes = call.index("S_SETV3").is_some();
-    match name {
+    let never = match name {
         "S_MCBIT" | "_DP" => true,
         "_DMODE" => number < 1.0 || number.fract() != 0.0,
+        "S_NMSP" => number < 1.0 || number.fract() != 0.0,
         DIRECTION => ![1.0, MINUS].contains(&number),
         "S_MA" => of_two_axes && !(101.0..=302.0).contains(&number),
         _ => false,
-    }
+    };
+    never && number != 0.0
 }
 
 /// The bracket of a call of a cycle that its line does not close: at the end of what is written there.

@@ -65,6 +65,7 @@ pub fn list_call(program: &Program, word: &Word) -> Option<ListCall> {
         return None; // the bare name takes assignments
     }
     let list = LISTS.iter().find(|list| program.is(*name, list.name))?;
+    let list = newer::of_count(list, args.len());
     let arguments = texts(program, word.span).into_iter().enumerate();
     let arguments =
         arguments.map(|(index, (place, text))| ListArgument { argument: Argument::at(list, index), place, text });

@@ -200,6 +200,8 @@ fn newer_argument(source: &Source, argument: &Argument) -> (Option<Name>, String
     let unsaid = argument.param.is_some_and(|name| newer::is_unsaid(name, &source.inputs));
     let text = match argument.param {
         Some(param) if unsaid => source.value(&param).map_or(String::new(), str::to_owned),
+        // what programs write counts before what the older control has as delivered
+        Some(param) if source.value(&param).is_none() && !argument.usual().is_empty() => String::new(),
         Some(param) => parameter(source, &param),
         None => own,
     };

@@ -4,8 +4,9 @@ use super::foreign;
 use super::known::{Document, Known};
 use lsp_types::{CompletionItem, CompletionItemKind, CompletionTextEdit, Position, Range, TextEdit};
 use probewright_core::catalogue::CYCLES;
+use probewright_core::control::delivery;
 use probewright_core::dialect::Dialect;
-use probewright_core::entry::{Arg, Cycle};
+use probewright_core::entry::{Arg, ArgumentList, Cycle, Style};
 use probewright_core::form::{self, Choice, Entry, Field, Group};
 use probewright_core::message::Message;
 use probewright_core::name::Name;
@@ -17,8 +18,8 @@ use probewright_core::words::Words;
 enum Begun<'a> {
     /// A value of a parameter: its name, and what of the value is there.
     Value(&'a str, &'a str),
-    /// An argument in brackets: what is called, how many stand before it, what of it is there.
-    Argument(&'a str, usize, &'a str),
+    /// An argument in brackets: what is called, what stands in them before it, what of it is there.
+    Argument(&'a str, &'a str, &'a str),
     /// A name.
     Name(&'a str),
 }
@@ -40,7 +41,7 @@ pub fn at(document: &Document, known: &Known, at: Position, words: &Words) -> Ve
     let next = known.next(byte as u32);
     let mut items = match begun {
         Begun::Value(name, _) => values(known, next, name, &make),
-        Begun::Argument(called, place, _) => argument(known, byte as u32, called, place, &make),
+        Begun::Argument(called, inside, _) => argument(known, byte as u32, called, inside, &make),
         Begun::Name(_) => names(known, next, byte as u32, &make),
     };
     for (at, item) in items.iter_mut().enumerate() {
@@ -67,7 +68,7 @@ fn begun(before: &str) -> Begun<'_> {
     let of_name = |one: char| one.is_alphanumeric() || "_$#[],.".contains(one);
     if let Some((called, inside)) = open_call(before) {
         let typed = inside.rsplit(',').next().unwrap_or_default().trim_start();
-        return Begun::Argument(called, inside.matches(',').count(), typed);
+        return Begun::Argument(called, inside, typed);
     }
     let typed = last(before, |one| of_name(one) || "-+".contains(one));
     let rest = before.get(..before.len() - typed.len()).unwrap_or_default();
@@ -184,7 +185,8 @@ fn variants(known: &Known, name: &str, make: &Make) -> Vec<CompletionItem> {
 }
 
 /// What an argument in brackets can be, by the lists of the cycles.
-fn argument(known: &Known, at: u32, called: &str, place: usize, make: &Make) -> Vec<CompletionItem> {
+fn argument(known: &Known, at: u32, called: &str, inside: &str, make: &Make) -> Vec<CompletionItem> {
+    let place = inside.matches(',').count();
     let site = known.call(at).or_else(|| known.next(at));
     let of_dialect = CYCLES.iter().copied().filter(|cycle| cycle.dialect == known.program.dialect);
     let lists = of_dialect.flat_map(|cycle| cycle.lists.iter().map(move |list| (cycle, list)));
@@ -195,7 +197,10 @@ fn argument(known: &Known, at: u32, called: &str, place: usize, make: &Make) -> 
     let found = reached.or(lists.first()).copied();
     let values = |name: &Name| match found {
         Some((cycle, _)) if cycle.variant_param() == Some(*name) => of_cycle(cycle, make),
-        _ => site.map_or_else(Vec::new, |site| values(known, Some(site), name, make)),
+        _ => match site {
+            Some(site) => values(known, Some(site), name, make),
+            None => found.map_or_else(Vec::new, |(cycle, list)| in_open(cycle, list, inside, *name, make)),
+        },
     };
     match found.and_then(|(_, list)| list.args.get(place)) {
         Some(Arg::Newer(_, Some(name))) => match found {
@@ -209,6 +214,27 @@ fn argument(known: &Known, at: u32, called: &str, place: usize, make: &Make) -> 
         Some(Arg::Is(number)) => vec![make.choice(*number, called.to_owned())],
         Some(Arg::Newer(name, None)) => own_value(name, make),
         other => other.and_then(Arg::param).map_or_else(Vec::new, |name| values(&name)),
+    }
+}
+
+/// The values of an argument of a call whose brackets are open, by what stands before it.
+fn in_open(
+    cycle: &'static Cycle,
+    list: &'static ArgumentList,
+    inside: &str,
+    name: Name,
+    make: &Make,
+) -> Vec<CompletionItem> {
+    if list.style != Style::Operate {
+        return Vec::new();
+    }
+    let said = list.args.iter().zip(inside.split(','));
+    let said = said.filter_map(|(arg, text)| Some((arg.param()?.to_string(), text.trim().to_owned())));
+    let fields = form::fields_of_call(cycle, list, &said.collect(), &delivery(cycle.dialect));
+    let field = fields.into_iter().find(|field| field.name == name).map(|field| field.entry);
+    match field {
+        Some(Entry::Choice { choices }) => make.choices(&choices),
+        _ => Vec::new(),
     }
 }
 
