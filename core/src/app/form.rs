@@ -286,8 +286,8 @@ pub fn form(mut asked: FormRequest) -> Result<FormView, Error> {
     Ok(view)
 }
 
-/// The values of a call of a program with those that its variant does not use on the older control, by the names of their
-/// arguments: whatever they mean there, the list keeps them.
+/// The values of a call of a program with those that its variant does not use on the older control, by the names of
+/// their arguments: whatever they mean there, the list keeps them.
 fn with_unused(cycle: &'static Cycle, list: &'static ArgumentList, values: &Typed, control: &Control) -> Typed {
     let inputs = check::read(cycle, values, control, &mut Vec::new());
     let mut all = values.clone();

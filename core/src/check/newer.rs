@@ -105,7 +105,7 @@ pub fn unsure(cycle: &'static Cycle, list: &ArgumentList, typed: &Typed, control
     infeed(cycle, list, typed, control).or_else(|| fine(typed, control))
 }
 
-/// The infeed: which sign of it leads down differs between programs, so that nobody knows where the probe would measure.
+/// The infeed: which sign of it leads down differs between programs, so that nobody knows where the probe measures.
 fn infeed(cycle: &'static Cycle, list: &ArgumentList, typed: &Typed, control: &Control) -> Option<Diagnostic> {
     let Parsed::Number(infeed) = parse(text(typed, names::ID)) else { return None };
     let used = is_infeed(list) && super::read(cycle, typed, control, &mut Vec::new()).uses(names::ID);
@@ -342,7 +342,9 @@ impl<'a> Judged<'a> {
         for (argument, published) in list.published {
             let name = list.typed_as(argument);
             let Parsed::Number(number) = parse(text(self.typed, name)) else { continue };
-            if published.holds(number) || self.foreign.contains(&name) {
+            // an omitted one is 0
+            let omitted = number == 0.0 && matches!(published, Published::Seen(_));
+            if published.holds(number) || omitted || self.foreign.contains(&name) {
                 continue;
             }
             if matches!(published, Published::Seen(_)) {

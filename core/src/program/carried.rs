@@ -40,8 +40,8 @@ pub(super) fn moves(program: &Program, site: &CallSite, said: &[Name]) -> Option
     Some(changing(site, name))
 }
 
-/// A value that is written on some ways to the call only: on the others it is what an earlier call left, and in the call
-/// it would always count. So it is with one in a block that can be skipped where the call cannot.
+/// A value that is written on some ways to the call only: on the others it is what an earlier call left, and in the
+/// call it would always count. So it is with one in a block that can be skipped where the call cannot.
 pub(super) fn skipped(program: &Program, site: &CallSite, said: &[Name]) -> Option<Diagnostic> {
     let skip = |place: Span| program.blocks.get(program.line_of(place.start) as usize).and_then(|block| block.skip);
     let of_call = skip(site.span);

@@ -38,7 +38,8 @@ fn write_puts_a_block_around_the_call() {
     }
 }
 
-// oracle: manual B:12564-12578 (when it is shown), B:12608-12616 (what is on it); B:12627-12644 (their decimals), hand (the figures)
+// oracle: manual B:12564-12578 (when it is shown), B:12608-12616 (what is on it), B:12627-12644 (decimals); hand (the
+// figures)
 #[test]
 fn run_prints_the_result_screens() {
     let ran = |switches: &str| {

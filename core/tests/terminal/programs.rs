@@ -670,7 +670,7 @@ fn write_names_values_that_it_does_not_write() {
 #[test]
 fn write_takes_the_rotary_axis_that_programs_have() {
     let values = ["_MVAR=105", "_SETVAL=1", "_MA=102", "_STA1=0", "_ID=40", "_KNUM=1", "_FA=10", "_TSA=5", "S_MD=1"];
-    for (axis, written, noted) in [("6", true, false), ("4", true, true), ("0", true, true), ("7", false, true)] {
+    for (axis, written, noted) in [("6", true, false), ("4", true, true), ("0", true, false), ("7", false, true)] {
         let axis = format!("_RA={axis}");
         let asked = ["write", "CYCLE998", "--style", "operate", &axis].into_iter().chain(values);
         let output = probewright(&asked.collect::<Vec<_>>());

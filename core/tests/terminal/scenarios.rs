@@ -89,7 +89,8 @@ fn a_scenario_that_proves_nothing_fails() {
     let with = |program: &str, expect: &str| {
         let setup = r#"{"control":"sinumerik","probe":{"radius":3,"length":50}}"#;
         format!(
-            r#"{{"program":{{"name":"a.mpf","text":"{program}"}},"setup":{setup},"cases":[{{"id":"a","expect":{expect}}}]}}"#
+            r#"{{"program":{{"name":"a.mpf","text":"{program}"}},"setup":{setup},
+                "cases":[{{"id":"a","expect":{expect}}}]}}"#
         )
     };
     for (program, expect, told) in [

@@ -141,8 +141,8 @@ function worth(
 }
 
 /**
- * A call that is never written anew in its own call style is the one that the program holds, byte by byte; comments stand
- * before it.
+ * A call that is never written anew in its own call style is the one that the program holds, byte by byte; comments
+ * stand before it.
  */
 function asHeld(view: Formed, program: string, { from, to, places }: CallView): Formed {
   const call = view.snippet.lastIndexOf("\n", view.snippet.length - 2) + 1;

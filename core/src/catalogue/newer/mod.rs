@@ -304,8 +304,8 @@ pub const CYCLE998: ArgumentList = list("CYCLE998", When::Variant(&[105]))
 pub const CYCLE150: ArgumentList =
     list("CYCLE150", NEVER).args(&[alone("S_PICT"), UNNAMED, alone("S_PROT"), UNNAMED, alone("S_PATH")]);
 
-/// CYCLE150 with three arguments at most: whether the two places without a name are an artefact of the published list is
-/// open, and with it which argument is `S_PROT` and which `S_PATH`.
+/// CYCLE150 with three arguments at most: whether the two places without a name are an artefact of the published list
+/// is open, and with it which argument is `S_PROT` and which `S_PATH`.
 pub static CYCLE150_SHORT: ArgumentList = list("CYCLE150", NEVER).args(&[alone("S_PICT"), UNNAMED, UNNAMED]);
 
 /// The list of a call with so many arguments.

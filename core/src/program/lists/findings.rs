@@ -60,8 +60,8 @@ pub fn of_places(program: &Program) -> impl Iterator<Item = Diagnostic> {
     list_calls(program).into_iter().filter(open).map(told)
 }
 
-/// The cure of a finding that the list alone has: a measuring path where none is given, another variant or no number for
-/// what stands in argument 2.
+/// The cure of a finding that the list alone has: a measuring path where none is given, another variant or no number
+/// for what stands in argument 2.
 fn with_cure(program: &Program, site: &CallSite, call: &ListCall, one: Diagnostic) -> Diagnostic {
     if one.code == Code::Alarm(61308) && one.cure.is_none() {
         return with_path(program, site, call, one);
@@ -201,8 +201,8 @@ fn without<'a>(texts: &[&'a str], at: usize) -> Vec<&'a str> {
     texts
 }
 
-/// What cannot stand there, so that the call is wrong: a text where a number belongs, a number of a probe that no control
-/// has (61313). A wrong value elsewhere may be just that.
+/// What cannot stand there, so that the call is wrong: a text where a number belongs, a number of a probe that no
+/// control has (61313). A wrong value elsewhere may be just that.
 fn is_proof(call: &ListCall, index: usize, text: &str) -> bool {
     let telling = text.starts_with('"') || Argument::at(call.list, index).name == "S_PRNUM";
     telling && cannot_stand(call, index, text)
