@@ -1164,6 +1164,8 @@ export type EquipmentCell = {
   value: string,
   /** As a program writes it: `_WP[0,1]`, `MD18600`. */
   name: string,
+  /** What else it is looked for as: the identifier of a setting datum, the user datum of older controls. */
+  also?: string,
   /** Key of its name; `.help`, and `.v0`, `.v1`, … of a choice, may stand behind it. */
   key: string,
   /** Unit as it counts on this machine. */
@@ -1759,6 +1761,8 @@ export type MachineField = {
   warned?: Diagnostic,
   /** As a program writes it: `_WP[0,1]`, `MD18600`. */
   name: string,
+  /** What else it is looked for as: the identifier of a setting datum, the user datum of older controls. */
+  also?: string,
   /** Key of its name; `.help`, and `.v0`, `.v1`, … of a choice, may stand behind it. */
   key: string,
   /** Unit as it counts on this machine. */

@@ -317,6 +317,7 @@ mod tests {
                 assert!(field(&view, name).is_none(), "{name}");
             }
             assert_eq!(field(&view, "SD54600[0]").unwrap()["value"], "5.9");
+            assert_eq!(field(&view, "SD54600[0]").unwrap()["also"], "$SNS_MEA_WP_BALL_DIAM _WP[k,0]");
             assert_eq!(field(&view, "SD54600[11]").unwrap()["value"], "4");
             assert!(field(&view, "SD54600[12]").is_none() && field(&view, "SD54625[6]").is_none());
             assert!(field(&view, plane).is_some() && field(&view, "SD54625[5]").is_some());

@@ -43,6 +43,10 @@ pub enum Entry {
 pub struct Setting {
     /// As a program writes it: `_WP[0,1]`, `MD18600`.
     pub name: String,
+    /// What else it is looked for as: the identifier of a setting datum, the user datum of older controls.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    #[cfg_attr(test, ts(optional, as = "Option<String>"))]
+    pub also: String,
     /// Key of its name; `.help`, and `.v0`, `.v1`, … of a choice, may stand behind it.
     pub key: String,
     /// Array whose field with this number (from 1) it belongs to.
@@ -89,6 +93,7 @@ pub fn groups(control: &Control) -> Vec<Group> {
 fn nct(basic: Units) -> Vec<Group> {
     let setting = |datum: &NctDatum| Setting {
         name: datum.name.to_owned(),
+        also: String::new(),
         key: datum.key(),
         field: None,
         entry: match datum.element.choices {
@@ -129,6 +134,7 @@ fn of_subject(subject: &'static gud::Subject, control: &Control) -> Vec<Setting>
 fn ours(name: &str, key: &str, choices: &'static [i64]) -> Setting {
     Setting {
         name: name.to_owned(),
+        also: String::new(),
         key: key.to_owned(),
         field: None,
         entry: Entry::Choice { choices },
@@ -166,6 +172,7 @@ fn setting(gud: &'static Gud, element: &Element, at: &[usize], basic: Units) -> 
         idle: idle(&name),
         versions: versions(&name),
         name,
+        also: String::new(),
         key: gud.key(element),
         field: at.first().filter(|_| numbered).map(|k| (gud.name, k + 1)),
         entry,
@@ -178,8 +185,10 @@ fn setting(gud: &'static Gud, element: &Element, at: &[usize], basic: Units) -> 
 /// Settings of a setting datum: what its user datum says counts for it.
 fn of_setting_datum(datum: &'static SettingDatum, control: &Control) -> Vec<Setting> {
     let generation = control.number(GENERATION);
+    let also = || format!("{} {}", datum.identifier(), datum.older_name());
     let of_its_own = |name: String| Setting {
         name,
+        also: also(),
         key: datum.key(generation),
         field: None,
         entry: Entry::Real,
@@ -192,7 +201,14 @@ fn of_setting_datum(datum: &'static SettingDatum, control: &Control) -> Vec<Sett
     let one = |place: Option<usize>| match datum.older(generation) {
         Some((gud, element)) => {
             let older = setting(gud, element, &datum.older_place(place, generation), control.basic_units);
-            Setting { name: datum.spelled(place), field: None, source: Cited(""), versions: None, ..older }
+            Setting {
+                name: datum.spelled(place),
+                also: also(),
+                field: None,
+                source: Cited(""),
+                versions: None,
+                ..older
+            }
         }
         None => of_its_own(datum.spelled(place)),
     };
@@ -204,6 +220,7 @@ fn of_machine_datum(datum: &'static machine_data::MachineDatum) -> Vec<Setting> 
         idle: idle(&name),
         versions: versions(&name),
         name,
+        also: String::new(),
         key: datum.key(),
         field: None,
         entry: if datum.text { Entry::Text } else { Entry::Real },

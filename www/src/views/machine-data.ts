@@ -32,6 +32,7 @@ const differs = (field: MachineField): boolean => field.value !== "";
 function found(field: MachineField, group: MachineGroup, words: string[]): boolean {
   const text = [
     field.name,
+    field.also ?? "",
     t(field.key),
     optional(`${field.key}.help`),
     field.set ? say(field.set) : "",

@@ -75,7 +75,7 @@ impl<'a> Slot<'a> {
         };
         let (name, key) = (self.key.to_owned(), self.key.to_owned());
         let (range, source) = (self.range, Cited(self.source));
-        Setting { name, key, field: None, entry, unit, range, source, idle: false, versions: None }
+        Setting { name, also: String::new(), key, field: None, entry, unit, range, source, idle: false, versions: None }
     }
 
     /// The field as it is shown.

@@ -111,7 +111,7 @@ pub fn snippet_of(
         written.put_before(&support::head(&source, style));
     }
     if let Some(words) = words {
-        written.put_before(&comments(&source, words));
+        written.put_before(&comments(&source, &written.said, words));
     }
     written
 }
@@ -273,10 +273,10 @@ fn word(name: &str, value: &str) -> String {
     format!("{name}={value}")
 }
 
-/// `;_FA: measuring path`, NCT `(D: nominal diameter)`.
-fn comments(source: &Source, words: Words) -> String {
+/// `;_FA: measuring path`, NCT `(D: nominal diameter)`, of the values that are in the call.
+fn comments(source: &Source, said: &[Name], words: Words) -> String {
     let mut text = String::new();
-    for (param, value) in &source.values {
+    for (param, value) in source.values.iter().filter(|(param, _)| said.contains(&param.name)) {
         let label = words(param.name.as_str(), &format!("param-{}", param.label(&source.inputs)));
         if label.is_empty() {
             continue; // a value without a field
