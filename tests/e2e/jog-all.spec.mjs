@@ -163,7 +163,7 @@ describe("every function of measuring in JOG, from the menu to what is written",
     test(how, async () => {
       const asked = { path: "#jog", serviceWorkers: "block", ...options };
       const { context, page, problems } = await open(chrome.browser, asked);
-      assert.equal(await page.locator("html").getAttribute("lang"), options.locale.slice(0, 2));
+      await page.locator(`html[lang="${options.locale.slice(0, 2)}"]`).waitFor({ state: "attached" });
       await everything(page, hands(page), { keyboard: hands === keys, turn, turns: ways.length });
       assert.deepEqual(problems, []);
       await context.close();
