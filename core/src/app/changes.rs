@@ -37,7 +37,8 @@ impl Change {
             false if is_factor(&name) || gud::named(&name).is_some() && !run::is_length(&name) => (1.0, ""),
             false => (basic.factor(), basic.name()),
         };
-        Change { label: label(control, &name), before: before / factor, after: after / factor, unit, name }
+        let (label, name) = (label(control, &name), control.setting_of(&name).unwrap_or(name));
+        Change { label, before: before / factor, after: after / factor, unit, name }
     }
 }
 

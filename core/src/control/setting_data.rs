@@ -324,6 +324,16 @@ impl Control {
         datum.older(generation).map(|(gud, _)| gud.spelled(&datum.older_place(place, generation)))
     }
 
+    /// The name that a program of this machine has for a user datum of the first generation whose value is in a setting
+    /// datum: `$SNS_MEA_WP_BALL_DIAM[0]`; none: this machine has the user datum.
+    pub fn setting_of(&self, older: &str) -> Option<String> {
+        let of = |datum: &SettingDatum, place: &Option<usize>| self.older_name(datum, *place).as_deref() == Some(older);
+        SETTING_DATA.iter().filter(|_| self.has_setting_data()).find_map(|datum| {
+            let place = datum.places(self).into_iter().find(|place| of(datum, place))?;
+            Some(datum.identifier() + &place.map_or(String::new(), |at| format!("[{at}]")))
+        })
+    }
+
     /// A setting datum by its identifier in a program, `$SNS_MEA_WP_BALL_DIAM[0]`: as the setup names it, and the user
     /// datum in which its value is on this machine. The outer option: whether it is one; the inner one: whether this
     /// machine has it with this index. A machine whose generation is not told has those of the newest.
@@ -391,6 +401,23 @@ mod tests {
     use super::*;
     use crate::control::{OF_LISTS, delivery};
     use crate::dialect::Dialect;
+
+    // oracle: peer (the published tables: SD 54600 has what _WP[k,0] has; the delivered machine counts its probes)
+    #[test]
+    fn a_user_datum_is_called_as_the_machine_has_it() {
+        let mut control = delivery(Dialect::Sinumerik);
+        assert_eq!(control.setting_of("_WP[0,0]"), None);
+        control.set(GENERATION, OF_LISTS);
+        assert_eq!(control.setting_of("_WP[0,0]").as_deref(), Some("$SNS_MEA_WP_BALL_DIAM[0]"));
+        assert_eq!(control.setting_of("_OVR[0]"), None);
+        for datum in SETTING_DATA {
+            for place in datum.places(&control) {
+                let Some(older) = control.older_name(datum, place) else { continue };
+                let key = control.setting_of(&older).unwrap();
+                assert_eq!(control.setting(&key).flatten().and_then(|(_, older)| older), Some(older), "{key}");
+            }
+        }
+    }
 
     // oracle: self (the numbers are looked up by a reader; a user datum that is named exists)
     #[test]

@@ -31,9 +31,10 @@ const OWN_CONTROL = 8; // times as much as another
 const CALIBRATES = 0.5; // who looks for a bore measures one more often than he calibrates in one, or says calibrate
 const WHOLE_CYCLE = 0.75; // of several variants that all could be meant, against the one that is
 const ELSEWHERE = 0.3; // found in the words of other languages alone, where a word may mean something else
-const TITLED = 20; // who types a whole title means it
+const TITLED = 20; // who types the whole title of what belongs to no control means it
 const SLIP_FROM = 5; // letters: shorter words are too near to each other
 
+const NUMBER = /(?<=\p{L})\d{3,}/gu; // behind letters: CYCLE977, SD54600
 const OWN_WORDS = ["code", "title", "words"]; // what the control and the language of the page say
 
 export function createSearch(
@@ -44,7 +45,8 @@ export function createSearch(
   const all = entries(catalogue, alarms, elsewhere);
   const index = new MiniSearch<Entry>({
     fields: [...OWN_WORDS, "names", "foreign"],
-    tokenize: words,
+    // who types the number of a cycle or datum means it
+    tokenize: (text, field) => (field === "code" ? [...words(text), ...(text.match(NUMBER) ?? [])] : words(text)),
     processTerm: plainWord,
   });
   index.addAll(all);
@@ -57,7 +59,8 @@ export function createSearch(
   return (text, control) => {
     const typed = words(text).map(plainWord);
     const asked = new Set(typed).size;
-    const titled = ({ title }: Entry): boolean => words(title).map(plainWord).join(" ") === typed.join(" ");
+    const titled = ({ title, control: of }: Entry): boolean =>
+      of === null && words(title).map(plainWord).join(" ") === typed.join(" ");
     const hits = index.search(text, options).flatMap((found): Hit[] => {
       const entry = all[found.id as number];
       const own = entry?.control === control ? OWN_CONTROL : 1;

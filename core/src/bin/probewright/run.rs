@@ -350,7 +350,8 @@ fn print_outcome(joined: &Joined, outcome: &Outcome, words: &Words, out: &mut dy
     }
     for change in outcome.changes() {
         let (before, after) = (rounded(change.before), rounded(change.after));
-        writeln!(out, "{}: {before} -> {after}", change.name)?;
+        let name = outcome.control.setting_of(&change.name).unwrap_or(change.name);
+        writeln!(out, "{name}: {before} -> {after}")?;
     }
     for (alarm, call) in outcome.alarms().into_iter().zip(outcome.calls_of_alarms()) {
         let raised = words.text(&Message::new("terminal-raised").text("alarm", alarm.to_string()));
