@@ -101,10 +101,15 @@ fn with_stays(program: &Program, sites: &[CallSite], style: Style, mut done: Con
 /// User data of the control that the program still writes before its last call, by their names.
 fn staying(program: &Program, sites: &[CallSite], edits: &[Edit]) -> Option<Diagnostic> {
     let last = sites.last()?.span.start;
-    let gone = |place: Span| edits.iter().any(|edit| edit.span.start <= place.start && place.end <= edit.span.end);
+    // the edits are in the order of the text, and none meets another
+    let gone = |place: Span| {
+        let before = edits.partition_point(|edit| edit.span.start <= place.start);
+        before.checked_sub(1).and_then(|at| edits.get(at)).is_some_and(|edit| place.end <= edit.span.end)
+    };
     let of_calls: BTreeSet<u32> = sites.iter().flat_map(places).map(|place| place.start).collect();
     let of_call = |word: Span| of_calls.range(word.start..word.end).next().is_some();
-    let declared: Vec<String> = program.words.iter().filter_map(|word| Some(program.name(word.declared()?))).collect();
+    let declared: BTreeSet<String> =
+        program.words.iter().filter_map(|word| Some(program.name(word.declared()?))).collect();
     let mut names: Vec<String> = Vec::new();
     for word in program.words.iter().take_while(|word| word.span.start < last).filter(|word| !gone(word.span)) {
         let WordKind::Assign { name, .. } = &word.kind else { continue };

@@ -94,8 +94,7 @@ impl Outside {
     /// The lines between a value and its call: of another program, or of a later line of the same, to its end and from
     /// the beginning of the program with the call.
     fn lines(&self, from: usize, to: usize) -> [Range<usize>; 2] {
-        let unit =
-            |line: usize| self.programs.units.iter().map(|one| one.blocks.clone()).find(|all| all.contains(&line));
+        let unit = |line: usize| Some(self.programs.units.get(self.programs.of_line(line as u32)?)?.blocks.clone());
         let (before, with) = (unit(from), unit(to));
         if before == with && from <= to {
             return [from..to + 1, 0..0];
