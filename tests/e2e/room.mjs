@@ -78,6 +78,7 @@ async function uncover(page) {
 /** Shows a panel where only one is to be seen. */
 export async function choosePanel(page, name) {
   const tab = page.locator(`.panel-bar [aria-controls="panel-${name}"]`);
+  await tab.waitFor({ state: "attached" });
   if (name === "help" && !(await tab.isVisible())) return openHelp(page);
   if (name === "tasks" && !(await tab.isVisible())) {
     assert.deepEqual(await unreachable(page.locator(".rail-more")), [], "the tab of the menu");

@@ -76,6 +76,8 @@ export async function openPageMenu(page) {
 /** The tree of tasks, where it is not to be seen already; a phone has it in its menu. */
 export async function openTasks(page) {
   const tab = page.locator('.panel-bar [aria-controls="panel-tasks"]');
+  await tab.waitFor({ state: "attached" }); // before it, a page that is loading looks like a phone's
+  await page.locator("#task-search").waitFor({ state: "attached" });
   if (await page.locator("#task-search").isVisible()) return;
   if (await tab.isVisible()) await tab.click();
   else {
