@@ -19,7 +19,7 @@ pub const MANUALS: [(char, &str, u32); 3] = [
 pub struct Chapter {
     /// Letter of the manual.
     pub manual: char,
-    /// Line of its heading.
+    /// Line of its heading; where the text has lost that, the line before its first section.
     pub line: u32,
     /// `5.4.2`.
     pub number: &'static str,

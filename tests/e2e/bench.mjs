@@ -58,7 +58,7 @@ const at = (times, percent) => times[Math.floor(((times.length - 1) * percent) /
 
 function report(name, times, percent, goal) {
   const cells = [50, 95, 99].map(p => at(times, p).toFixed(3));
-  row(name, [...cells, `< ${goal}`, verdict(at(times, percent), goal)]);
+  row(name, goal ? [...cells, `< ${goal}`, verdict(at(times, percent), goal)] : cells);
 }
 
 async function cycles(page) {

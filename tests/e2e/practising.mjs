@@ -8,6 +8,7 @@ import { givesWork } from "./painted.mjs";
 const WORK = JSON.parse(readFileSync(new URL("../data/jog_practice.json", import.meta.url), "utf8"));
 const PRESSES = 30; // of NC start for each function, those that count
 const FIRST = 5; // before them: they compile what the others use
+const AS_LONG = 8; // ms of arithmetic between them: what the machine itself makes of as much work
 
 /** Each function with its mask, the piece for it, and its lines as far as the last NC start, without it. */
 async function functions(page) {
@@ -45,24 +46,36 @@ async function simulated(page, { piece, lines }) {
   }, request);
 }
 
-/** ms of the page's own work from a press of NC start to the layout of the frame that shows the finished touch. */
+/**
+ * ms of the page's own work from a press of NC start to the layout of the frame that shows the finished touch; before
+ * each press, ms of arithmetic that takes `AS_LONG` while nobody disturbs the machine.
+ */
 async function pictured(page, { piece, lines }) {
   const buffer = Buffer.from([`; piece ${piece}`, ...lines].join("\n"));
   await page.locator(".jog > input[type=file]").setInputFiles({ name: "part.jog", mimeType: "text/plain", buffer });
   await page.locator(".jog-start").waitFor();
   return page.evaluate(
-    async ([count, first]) => {
+    async ([count, first, asLong]) => {
       const pause = () => new Promise(resolve => setTimeout(resolve, 250)); // the picture before stands
-      const times = [];
+      const arithmetic = steps => {
+        const begin = performance.now();
+        let sum = 0;
+        for (let n = 0; n < steps; n++) sum += Math.sin(sum + n);
+        return [performance.now() - begin, sum][0];
+      };
+      const fastest = Math.min(...Array.from({ length: 20 }, () => arithmetic(1e5)));
+      const steps = (1e5 * asLong) / fastest;
+      const [times, reference] = [[], []];
       for (let n = 0; n < count; n++) {
         await pause();
+        reference.push(arithmetic(steps));
         times.push(await globalThis.workOf(() => document.querySelector(".jog-start").click()));
         await pause();
         document.querySelector(".jog-actions button").click(); // undo
       }
-      return times.slice(first).sort((a, b) => a - b);
+      return { times: times.slice(first).sort((a, b) => a - b), reference };
     },
-    [PRESSES + FIRST, FIRST],
+    [PRESSES + FIRST, FIRST, AS_LONG],
   );
 }
 
@@ -73,6 +86,12 @@ export async function practising(browser, page, report) {
   const visit = await open(browser, { path: "#jog", serviceWorkers: "block", reducedMotion: "reduce" });
   await visit.page.locator(".jog-stage [data-backend]").waitFor();
   await givesWork(visit.page);
-  for (const one of all) report(`JOG ${one.name}: NC start to its picture`, await pictured(visit.page, one), 95, 16);
+  const machine = [];
+  for (const one of all) {
+    const { times, reference } = await pictured(visit.page, one);
+    machine.push(...reference);
+    report(`JOG ${one.name}: NC start to its picture`, times, 95, 16);
+  }
+  report(`the machine itself: ${AS_LONG} ms of arithmetic`, machine.sort((a, b) => a - b), 95);
   await visit.context.close();
 }

@@ -99,8 +99,8 @@ describe("a protocol of the machine", () => {
     await page.locator('.protocol-top:has-text("1 line of the protocol fits")').waitFor();
     await page.locator('.whole-row[data-verdict="scrap"]:has-text("132.150")').waitFor();
     await page.locator('.answer-line:has-text("132.150"):has-text("real.csv")').waitFor();
-    assert.match(await page.locator(".protocol-unfit summary").textContent(), /2/);
-    assert.match(await page.locator(".protocol-unfit").textContent(), /Platz;77;77,2/);
+    assert.match(await page.locator(".protocol-lines summary").textContent(), /2/);
+    assert.match(await page.locator(".protocol-lines").textContent(), /Platz;77;77,2/);
     await page.waitForFunction(() => document.querySelectorAll(".stage path.arrow").length === 4);
     const { text } = await saved(page, "CSV");
     assert.match(text, /,132,-0\.1,0\.1,132\.15,0\.15,1\.5,mm,beyond,Scrap,/);
@@ -119,7 +119,7 @@ describe("a protocol of the machine", () => {
       .setInputFiles([log("LOG_1_1.MPF", "what\n"), log("LOG_1.MPF", "Line;Actual\n8;132.12\n")]);
     await page.locator('.whole-row[data-verdict="scrap"]:has-text("132.120")').waitFor();
     await page.locator('.protocol-top:has-text("LOG_1.MPF, LOG_1_1.MPF")').waitFor();
-    assert.match(await page.locator(".protocol-unfit").textContent(), /LOG_1_1\.MPF:1/);
+    assert.match(await page.locator(".protocol-lines").textContent(), /LOG_1_1\.MPF:1/);
     assert.equal(await page.locator(".protocol-columns select").nth(4).inputValue(), "2");
     await give("\x89PNG\0\0\0\rIHDR");
     await page.locator('.protocol [role="alert"]:has-text("no text")').waitFor();

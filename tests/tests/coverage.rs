@@ -157,6 +157,16 @@ fn no_chapter_of_the_manuals_has_nothing() {
     assert!(missing.is_empty(), "nothing serves\n{}", missing.join("\n"));
 }
 
+// oracle: self: a section stands in its chapter
+#[test]
+fn every_section_has_its_chapter() {
+    let listed: BTreeSet<_> = CHAPTERS.iter().map(|one| (one.manual, one.number)).collect();
+    let above = |one: &&Chapter| one.number.rsplit_once('.').map(|(above, _)| (one.manual, above));
+    let lacking: BTreeSet<_> =
+        CHAPTERS.iter().filter_map(|one| above(&one)).filter(|one| !listed.contains(one)).collect();
+    assert!(lacking.is_empty(), "no row for {lacking:?}");
+}
+
 // oracle: self
 #[test]
 fn the_page_is_that_of_the_code() {

@@ -17,3 +17,4 @@ protocol-no-number-of-call = Das Programm hat keine Messung { $number }: die Spa
 protocol-no-line = In Zeile { $line } des Programms steht kein Aufruf ohne Wert: die Spalte der Zeile prüfen.
 protocol-no-result = Der Aufruf hat kein Ergebnis { $name } ohne Wert: die Spalte des Ergebnisses prüfen.
 protocol-differs = Die Abweichung { $by } ist nicht Istwert minus Sollwert, das wäre { $is }: die Spalten prüfen.
+protocol-contradicted = { $actual } gilt als Istwert zum Sollwert { $set }, doch { $by } ist nicht ihre Differenz: die Zeile prüfen oder die Spalten auswählen.

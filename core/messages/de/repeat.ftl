@@ -14,6 +14,7 @@ repeat-few = Mindestens zwei Werte sind nötig.
 repeat-many = Höchstens { $most } Werte werden ausgewertet.
 repeat-not-a-number = { $value } ist keine Zahl.
 repeat-no-signal = Der Messtaster hat unterwegs nicht geschaltet, deshalb gibt es keine Werte.
+repeat-no-tool = Diese Maschine hat kein Werkzeug T{ $tool } D{ $edge }, also keinen Messtaster: ihn bei den Werkzeugen eintragen oder den Messtaster in die Spindel setzen.
 repeat-no-scatter = Der Messtaster dieser Maschine streut nicht: Jede Antastung ergibt denselben Wert. Seine Wiederholgenauigkeit eingeben oder Werte der realen Maschine einfügen.
 repeat-drift = Die Werte wandern von Antastung zu Antastung: Das ist nicht zufällig. Test mit warmer Maschine wiederholen.
 repeat-narrow = Drei Standardabweichungen sind { $three }, mehr als das vorgeschlagene _TZL: Mehr Antastungen fänden größere Abweichungen.

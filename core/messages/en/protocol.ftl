@@ -17,3 +17,4 @@ protocol-no-number-of-call = The program has no measurement { $number }: check t
 protocol-no-line = No call without a value is in line { $line } of the program: check the column of the line.
 protocol-no-result = The call has no result { $name } without a value: check the column of the result.
 protocol-differs = The deviation { $by } is not actual value minus setpoint, which is { $is }: check the columns.
+protocol-contradicted = { $actual } is taken as the actual value of the setpoint { $set }, but { $by } is not their difference: check the line, or choose the columns.

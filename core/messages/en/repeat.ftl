@@ -14,6 +14,7 @@ repeat-few = At least two values are needed.
 repeat-many = At most { $most } values are evaluated.
 repeat-not-a-number = { $value } is not a number.
 repeat-no-signal = The probe did not switch on the way, so there are no values.
+repeat-no-tool = This machine has no tool T{ $tool } D{ $edge }, so there is no probe to touch with: enter it among the tools, or put the probe into the spindle.
 repeat-no-scatter = The probe of this machine has no repeatability error: each touch gives the same value. Set its repeatability, or paste values from the real machine.
 repeat-drift = The values drift from touch to touch: this is not random. Repeat the test when the machine is warm.
 repeat-narrow = Three standard deviations are { $three }, more than the proposed _TZL: more touches would find larger deviations.

@@ -14,3 +14,4 @@ protocol-no-number-of-call = 程序中没有第 { $number } 次测量：请检�
 protocol-no-line = 程序第 { $line } 行没有尚缺数值的调用：请检查行号列。
 protocol-no-result = 该调用没有尚缺数值的结果 { $name }：请检查结果列。
 protocol-differs = 偏差 { $by } 不等于实际值减设定值，后者为 { $is }：请检查各列。
+protocol-contradicted = { $actual } 被当作设定值 { $set } 的实际值，但 { $by } 不是两者之差：请检查该行，或选择各列。

@@ -149,6 +149,7 @@ pub fn repeat_on(asked: &RepeatRequest, setup: Setup) -> Result<RepeatView, Erro
     let values = match &asked.values {
         Some(text) => numbers(text)?,
         None => {
+            held(&test, &setup)?;
             lines.push(switched(&test, setup.clone(), factor));
             if setup.probe.repeatability.0 == 0.0 {
                 notes.push(Message::new("repeat-no-scatter"));
@@ -204,6 +205,16 @@ fn test(asked: &RepeatRequest, setup: &Setup) -> Result<ProbeTest, Error> {
         plane: control.plane,
         inch,
     })
+}
+
+/// The programs call a tool, without which nothing touches.
+fn held(test: &ProbeTest, setup: &Setup) -> Result<(), Error> {
+    let (tool, edge) = test.place;
+    if setup.control.tools.get(&tool).is_some_and(|one| one.edges.contains_key(&edge)) {
+        return Ok(());
+    }
+    let missing = Error::new("repeat-no-tool", Path::of(&["setup", "tools"]));
+    Err(missing.number("tool", tool as f64).number("edge", edge as f64))
 }
 
 /// How many touches, and the first R parameter that keeps their values.

@@ -5,6 +5,7 @@ protocol-of = Auf der Maschine gemessen: { $name }
 protocol-busy = Wird gelesen …
 protocol-close = Zurück zur Simulation
 protocol-unfit = Zeilen, die nicht passen: { $count }
+protocol-doubtful = Zeilen, deren Zahlen sich widersprechen: { $count }
 protocol-unfit-save = Alle sichern
 protocol-columns = Spalten
 protocol-columns-ask = Keine Zeile passt von selbst: auswählen, was in welcher Spalte steht, mindestens den Istwert.

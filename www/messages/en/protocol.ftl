@@ -5,6 +5,7 @@ protocol-of = Measured on the machine: { $name }
 protocol-busy = Reading …
 protocol-close = Back to the simulation
 protocol-unfit = Lines that do not fit: { $count }
+protocol-doubtful = Lines whose figures contradict each other: { $count }
 protocol-unfit-save = Save all of them
 protocol-columns = Columns
 protocol-columns-ask = No line fits by itself: choose what stands in which column, at least the actual value.

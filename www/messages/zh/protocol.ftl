@@ -5,6 +5,7 @@ protocol-of = 机床实测：{ $name }
 protocol-busy = 正在读取…
 protocol-close = 返回模拟
 protocol-unfit = 不相符的行：{ $count }
+protocol-doubtful = 数值相互矛盾的行：{ $count }
 protocol-unfit-save = 全部保存
 protocol-columns = 列
 protocol-columns-ask = 没有可自动对应的行：请选择各列的内容，至少选择实际值。

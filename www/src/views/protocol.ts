@@ -12,11 +12,11 @@ import { iconPart } from "../icons";
 import { readTexts, saveFile } from "../state/files";
 import type { State } from "../state/state";
 import { say, sayProblem, t } from "../texts";
-import type { Arrow, ProtocolColumns, ProtocolRequest, ProtocolView } from "../wire";
+import type { Arrow, ProtocolColumns, ProtocolLine, ProtocolRequest, ProtocolView } from "../wire";
 import type { Real } from "./answer";
 
 const ROLES = ["number", "line", "result", "nominal", "actual", "deviation"] as const;
-const SHOWN = 200; // lines that do not fit; all of them are saved
+const SHOWN = 200; // lines that are told; all of them are saved
 const LARGEST = 100 * 2 ** 20; // bytes
 
 /** The files of a log in their order: LOG_1.MPF, LOG_1_1.MPF, LOG_1_2.MPF. */
@@ -139,15 +139,16 @@ export function createProtocol({ core, arrows, real }: ProtocolWays, changed: ()
       })}
     </select></label
   >`;
-  const unfit = ({ unfit: all }: ProtocolView): TemplateResult | typeof nothing => {
+  /** Lines that do not fit, or are in doubt, with why. */
+  const told = (all: readonly ProtocolLine[], title: string): TemplateResult | typeof nothing => {
     if (!all.length) return nothing;
     const names = file && file.names.length > 1 ? file.names : [];
-    const place = (one: ProtocolView["unfit"][number]): string =>
+    const place = (one: ProtocolLine): string =>
       names.length ? `${names[one.file] ?? ""}:${one.line}` : String(one.line);
     const text = (): string => all.map(one => `${place(one)}: ${say(one.why)} | ${one.text}\n`).join("");
     const save = (): void => saveFile(text(), "lines.txt");
-    return html`<details class="protocol-unfit">
-      <summary>${t("protocol-unfit", { count: all.length })}</summary>
+    return html`<details class="protocol-lines">
+      <summary>${t(title, { count: all.length })}</summary>
       <ol>
         ${all
           .slice(0, SHOWN)
@@ -168,7 +169,7 @@ export function createProtocol({ core, arrows, real }: ProtocolWays, changed: ()
               ${guidePart("measured")}
             </p>
             <p role="alert" ?hidden=${!problem}>${problem}</p>
-            ${view ? unfit(view) : nothing}
+            ${view ? [told(view.unfit, "protocol-unfit"), told(view.doubtful, "protocol-doubtful")] : nothing}
             ${
               heads.length > 1
                 ? html`<details class="protocol-columns" ?open=${view?.fitted === 0}>

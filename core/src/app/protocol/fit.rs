@@ -88,35 +88,35 @@ impl<'a> Fit<'a> {
         Fit { calls, quantities, starts, by_set, from: 0, until, last: None, headed: 0, by_kind, by_line }
     }
 
-    /// Lays a line whose figures say by themselves what they are; none: it is a heading, or was laid.
+    /// Lays a line whose figures say by themselves what they are, or takes it as a heading; gives a doubt about what
+    /// was laid.
     ///
     /// # Errors
     /// It fits no call: why.
-    pub fn plain(&mut self, line: &Line) -> Result<(), Unfit> {
+    pub fn plain(&mut self, line: &Line) -> Result<Option<Message>, Unfit> {
         if let Some(heading) = self.heading(line) {
-            return heading;
+            return heading.map(|()| None);
         }
         let figures = line.fields.iter().filter_map(|field| line.figure(field)).take(FIGURES);
         let figures: Vec<Figure> = figures.collect();
         if figures.len() < 2 {
             return Err(Message::new("protocol-no-value"));
         }
-        let mut best: Option<(bool, usize, f64)> = None;
+        let mut best: Option<(bool, usize, f64, usize)> = None;
         for (at, set) in figures.iter().enumerate() {
             let Some((sure, actual)) = actual(*set, &figures[at + 1..]) else { continue };
             let Some(index) = self.next(*set) else { continue };
-            if best.is_none_or(|(known, first, _)| (!sure, index) < (!known, first)) {
-                best = Some((sure, index, actual));
+            if best.is_none_or(|(known, first, ..)| (!sure, index) < (!known, first)) {
+                best = Some((sure, index, actual, at));
             }
         }
-        match best {
-            Some((_, index, actual)) => self.put(index, line, actual, None),
-            None => {
-                let (index, set, actual) = self.following(&figures).ok_or_else(|| Message::new("protocol-no-call"))?;
-                self.put(index, line, actual, Some(set));
-            }
-        }
-        Ok(())
+        let Some((sure, index, actual, at)) = best else {
+            let (index, set, actual) = self.following(&figures).ok_or_else(|| Message::new("protocol-no-call"))?;
+            self.put(index, line, actual, Some(set));
+            return Ok(None);
+        };
+        self.put(index, line, actual, None);
+        Ok(if sure { None } else { contradicted(&figures[at..]) })
     }
 
     fn put(&mut self, index: usize, line: &Line, actual: f64, told: Option<Figure>) {
@@ -267,6 +267,13 @@ impl<'a> Fit<'a> {
             _ => Message::new("protocol-no-call"),
         })
     }
+}
+
+/// A setpoint and an actual value beside it, and behind them what looks like their difference and is none.
+fn contradicted(figures: &[Figure]) -> Option<Message> {
+    let [set, actual, by, ..] = figures else { return None };
+    let message = || Message::new("protocol-contradicted").number("by", by.value).number("actual", actual.value);
+    (by.value.abs() <= NEAR).then(|| message().number("set", set.value))
 }
 
 fn part(value: f64) -> i64 {

@@ -79,7 +79,9 @@ pub struct ProtocolView {
     /// Calls of which the protocol has no value.
     pub missing: usize,
     /// Lines that fit no call, in their order.
-    pub unfit: Vec<UnfitLine>,
+    pub unfit: Vec<ProtocolLine>,
+    /// Lines that were laid though their figures contradict each other, in their order.
+    pub doubtful: Vec<ProtocolLine>,
     /// How the faces that were touched lie, in their order.
     pub arrows: Vec<Arrow>,
     /// Fields of the line with the headings, else of the first line of the protocol: names of its columns, where it is
@@ -89,17 +91,17 @@ pub struct ProtocolView {
     pub recognised: ProtocolColumns,
 }
 
-/// A line of a protocol that fits no call.
+/// A line of a protocol that is told.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
-pub struct UnfitLine {
+pub struct ProtocolLine {
     /// Index of the file.
     pub file: usize,
     /// Number of the line in it, from 1.
     pub line: u32,
     /// What stands in it, shortened.
     pub text: String,
-    /// Why it fits none, and what helps.
+    /// Why it fits no call, or what is in doubt, and what helps.
     pub why: Message,
 }
 
@@ -175,7 +177,7 @@ pub fn laid(
             }
         }
     };
-    let Lay { quantities, fitted, unfit } = laid;
+    let Lay { quantities, fitted, unfit, doubtful } = laid;
     let mut values: BTreeMap<usize, Values> = BTreeMap::new();
     for one in &quantities {
         if let Some(actual) = one.actual {
@@ -196,33 +198,38 @@ pub fn laid(
     let about = RecordAbout::measured(setup);
     let counts = Message::new("protocol-ending").number("fitted", fitted as f64).number("unfit", unfit.len() as f64);
     let ending = counts.number("missing", missing as f64);
-    Ok(ProtocolView { answers, about, ending, fitted, missing, unfit, arrows, heads, recognised })
+    Ok(ProtocolView { answers, about, ending, fitted, missing, unfit, doubtful, arrows, heads, recognised })
 }
 
 /// Lines of a protocol as they were laid.
 struct Lay {
     quantities: Vec<Quantity>,
     fitted: usize,
-    unfit: Vec<UnfitLine>,
+    unfit: Vec<ProtocolLine>,
+    doubtful: Vec<ProtocolLine>,
 }
 
 impl Lay {
     /// With the columns and the number of lines above their values; none: the figures of a line tell what they are.
     fn of(lines: &[Line], columns: Option<&(Columns, usize)>, mut fit: Fit) -> Lay {
-        let (mut fitted, mut unfit) = (0, Vec::new());
+        let (mut fitted, mut unfit, mut doubtful) = (0, Vec::new(), Vec::new());
         for (at, line) in lines.iter().enumerate() {
             let tried = match columns {
                 Some((_, behind)) if at < *behind => continue,
-                Some((columns, _)) => fit.row(line, columns),
+                Some((columns, _)) => fit.row(line, columns).map(|()| None),
                 None => fit.plain(line),
             };
             let Line { file, number, .. } = *line;
+            let told = |why: Message| ProtocolLine { file, line: number, text: printable(&line.text), why };
             match tried {
-                Ok(()) => fitted += 1,
-                Err(why) => unfit.push(UnfitLine { file, line: number, text: printable(&line.text), why }),
+                Ok(doubt) => {
+                    fitted += 1;
+                    doubtful.extend(doubt.map(told));
+                }
+                Err(why) => unfit.push(told(why)),
             }
         }
-        Lay { quantities: fit.quantities, fitted, unfit }
+        Lay { quantities: fit.quantities, fitted, unfit, doubtful }
     }
 }
 

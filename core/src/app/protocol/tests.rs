@@ -240,6 +240,19 @@ fn no_line_is_dropped() {
     assert_eq!(told, ["protocol-no-heading", "protocol-no-call", "protocol-no-value"]);
 }
 
+// oracle: hand: 50.05 is 0.05 above 50, not 0.5; a tolerance zone behind the values is no difference, nor is nothing
+#[test]
+fn a_line_that_contradicts_itself_is_told() {
+    let of = |line: &str| onto_nominal(&format!("CYCLE977, _MVAR, 1\n{line}\n"), None).unwrap();
+    let view = of("D, hole, 50.000, 50.050, 0.500");
+    assert_eq!((view.fitted, view.unfit.len()), (2, 0));
+    let told: Vec<(u32, &str)> = view.doubtful.iter().map(|one| (one.line, one.why.key.as_ref())).collect();
+    assert_eq!(told, [(2, "protocol-contradicted")]);
+    for line in ["D, hole, 50.000, 50.050, 0.050", "D, hole, 50.000, 50.050", "D, hole, 50.000, 50.050, 50.100, 49.900"] {
+        assert_eq!(of(line).doubtful, [], "{line}");
+    }
+}
+
 // oracle: hand: it comes to its end
 #[test]
 fn a_line_may_be_as_long_as_it_likes() {

@@ -75,7 +75,7 @@ impl Protocol {
 }
 
 impl Laid {
-    /// Says what each call came to, which lines fit none, and how many; whether something fits.
+    /// Says what each call came to, which lines fit none or are in doubt, and how many; whether something fits.
     pub fn print(&self, words: &Words, out: &mut dyn Write) -> std::io::Result<bool> {
         let shown = |file: usize| self.paths.get(file).map(|path| path.display().to_string()).unwrap_or_default();
         let path = shown(0);
@@ -88,7 +88,7 @@ impl Laid {
                 writeln!(out, "{path}: {line}: {cycle}: {what} {actual} ({by:+}) {verdict}")?;
             }
         }
-        for one in &self.view.unfit {
+        for one in self.view.unfit.iter().chain(&self.view.doubtful) {
             writeln!(out, "{}:{}: {} | {}", shown(one.file), one.line, words.text(&one.why), one.text)?;
         }
         writeln!(out, "{path}: {}", words.text(&self.view.ending))?;
