@@ -2554,6 +2554,18 @@ export type ProtocolColumns = {
   deviation?: string,
 };
 
+/** A line of a protocol that is told. */
+export type ProtocolLine = {
+  /** Index of the file. */
+  file: number,
+  /** Number of the line in it, from 1. */
+  line: number,
+  /** What stands in it, shortened. */
+  text: string,
+  /** Why it fits no call, or what is in doubt, and what helps. */
+  why: Message,
+};
+
 /** A protocol, and the program that it is about. */
 export type ProtocolRequest = {
   /** The program and the machine. */
@@ -2577,7 +2589,9 @@ export type ProtocolView = {
   /** Calls of which the protocol has no value. */
   missing: number,
   /** Lines that fit no call, in their order. */
-  unfit: Array<UnfitLine>,
+  unfit: Array<ProtocolLine>,
+  /** Lines that were laid though their figures contradict each other, in their order. */
+  doubtful: Array<ProtocolLine>,
   /** How the faces that were touched lie, in their order. */
   arrows: Array<Arrow>,
   /**
@@ -3980,18 +3994,6 @@ export type TwinView = {
   shared: Array<Shared>,
   /** What is different there. */
   differences: Array<Message>,
-};
-
-/** A line of a protocol that fits no call. */
-export type UnfitLine = {
-  /** Index of the file. */
-  file: number,
-  /** Number of the line in it, from 1. */
-  line: number,
-  /** What stands in it, shortened. */
-  text: string,
-  /** Why it fits none, and what helps. */
-  why: Message,
 };
 
 /** Unit of a parameter and the system it counts in. */
