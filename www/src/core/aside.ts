@@ -5,15 +5,18 @@ import { createHanded, type Handed } from "./handed";
 import type { Question, Way } from "./program";
 import type { SceneData } from "./scene";
 import type { Columns } from "./steps";
-import type { Asked, Reply, Wait } from "./worker";
+import type { Asked, Part, Reply, Wait } from "./worker";
 
 export interface Answered {
   question: Question;
   json?: string;
+  parts?: Parts;
   scene?: SceneData; // of a run
   steps?: Columns; // the same
   problem?: string;
 }
+/** Long lists of an answer, by name: they came in pieces before it, which the page read one by one. */
+export type Parts = Record<string, unknown[]>;
 /**
  * `since`: ms, as performance.now; `share`: how much is done, where that is told; `halted`: since when it waits;
  * `seen`: what is to be seen of it already.
@@ -61,6 +64,7 @@ export function createAside(module: () => WebAssembly.Module | undefined, ready:
   let worker: Worker | null = null;
   let handed: Handed | null = null; // of this worker
   let running: Busy | null = null;
+  let parts: Parts = {}; // of its answer
   let waiting: Question | null = null;
   let done: Answered | null = null;
 
@@ -79,12 +83,18 @@ export function createAside(module: () => WebAssembly.Module | undefined, ready:
   };
   const start = (compiled: WebAssembly.Module): Worker => {
     const made = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
-    const finish = (reply: Exclude<Reply, Way>): void => {
+    const finish = (reply: Exclude<Reply, Way | Part>): void => {
       if ("problem" in reply) drop(); // no call is safe any more
-      if (running) end({ question: running.question, ...reply });
+      if (running) end({ question: running.question, ...reply, parts });
+    };
+    const take = ({ of, part }: Part): void => {
+      const all = parts[of] ?? [];
+      all.push(...(JSON.parse(part) as unknown[]));
+      parts[of] = all;
     };
     const hear = (reply: Reply): void => {
-      if (!("share" in reply)) finish(reply);
+      if ("part" in reply) take(reply);
+      else if (!("share" in reply)) finish(reply);
       else if (running) {
         running = { ...running, ...reply };
         if (reply.seen) ready();
@@ -106,6 +116,7 @@ export function createAside(module: () => WebAssembly.Module | undefined, ready:
     if (!compiled) return;
     worker ??= start(compiled);
     running = { question, since: performance.now() };
+    parts = {};
     if (handed?.takes(question.text)) void hand(worker, question);
     else worker.postMessage({ question, held: false } satisfies Asked);
   };

@@ -8,7 +8,12 @@ import { answer, edit, type Held, hold, type Question, runInPieces, type Way } f
 import { buffersOf, type SceneData } from "./scene";
 import type { Columns } from "./steps";
 
-export type Reply = { json: string; scene?: SceneData; steps?: Columns } | { problem: string } | Way;
+/** Some more entries of a long list of an answer that follows, as JSON text. */
+export interface Part {
+  of: string;
+  part: string;
+}
+export type Reply = { json: string; scene?: SceneData; steps?: Columns } | { problem: string } | Way | Part;
 export interface Wait {
   wait: boolean;
 }
@@ -54,10 +59,33 @@ function take(told: Told): void {
   else if (text) edit(text, [told.edit]);
 }
 
+const LONG_LIST = 500; // entries that the page reads at once without a standstill
+
+/** Hands over what is long, in pieces; gives what remains. */
+function inParts(json: string): string {
+  if (json === "") return json;
+  const view = JSON.parse(json) as Record<string, unknown>;
+  const long = Object.entries(view).flatMap(([of, all]) =>
+    Array.isArray(all) && all.length > LONG_LIST ? [{ of, all }] : [],
+  );
+  if (!long.length) return json;
+  for (const { of, all } of long) {
+    for (let from = 0; from < all.length; from += LONG_LIST)
+      tell({ of, part: JSON.stringify(all.slice(from, from + LONG_LIST)) });
+    view[of] = [];
+  }
+  return JSON.stringify(view);
+}
+
+async function ran(question: Question & { ask: "run" }, about: Held | null): Promise<Reply> {
+  const { json, ...shown } = await runInPieces(question, about, between);
+  return { json: inParts(json), ...shown };
+}
+
 async function reply({ question, held }: Asked): Promise<Reply> {
   const about = held ? text : null;
   try {
-    return question.ask === "run" ? await runInPieces(question, about, between) : { json: answer(question, about) };
+    return question.ask === "run" ? await ran(question, about) : { json: answer(question, about) };
   } catch (problem) {
     return { problem: reasonOf(problem) };
   }

@@ -51,11 +51,11 @@ function cameTo(view: RunView, steps: Columns | undefined): Pick<Ran, "view" | "
 /** With what a run did, or why there is nothing. */
 export function withRun(answered: Answered | null, state: State): State {
   if (answered?.question.ask !== "run" || !isOfNow(answered.question, state)) return state;
-  const { question, json, scene, steps, problem } = answered;
+  const { question, json, parts, scene, steps, problem } = answered;
   const { control, text, setup, times, known, with: beside, arguments: values, ...how } = question;
   const { strict, mode, target, program, file } = how;
   if (json === undefined || !scene) return patched(state, { run: { stopped: { control, text, why: problem ?? "" } } });
-  const came = known ? state.run.done : cameTo(JSON.parse(json) as RunView, steps);
+  const came = known ? state.run.done : cameTo({ ...(JSON.parse(json) as RunView), ...parts }, steps);
   if (!came) return state;
   const { view, course } = came;
   return patched(state, {

@@ -24,6 +24,8 @@ type OfPlace = OfCall & { file?: string };
 type ShownResult = { name: string; label: string; value: number; unit: string; earlier?: number } & OfPlace;
 export interface Shown {
   results: ShownResult[];
+  /** How many more there are, which are not shown. */
+  more: number;
   changes: Outcome["changes"];
   alarms: (Outcome["alarms"][number] & OfPlace)[];
   decisions: ({ message: Outcome["decisions"][number] } & OfPlace)[];
@@ -62,13 +64,14 @@ export function shownOutcome(state: State, derived: Derived): Shown | null {
   if (state.view.source === "program") {
     if (!run) return null;
     const { files } = run;
-    const results = run.results.map(one => ({
+    const results = run.results.slice(0, ROWS).map(one => ({
       ...placed(files, one),
       label: one.label ? say(one.label) : "",
       unit: one.unit ?? "",
     }));
     const alarms = run.alarms.map(one => placed(files, one));
-    return { ...run, results, alarms, decisions: run.decisions.map(one => placed(files, one)) };
+    const more = run.results.length - results.length;
+    return { ...run, results, more, alarms, decisions: run.decisions.map(one => placed(files, one)) };
   }
   const outcome = derived.view.outcome;
   return outcome
@@ -76,6 +79,7 @@ export function shownOutcome(state: State, derived: Derived): Shown | null {
         ...outcome,
         decisions: outcome.decisions.map(message => ({ message })),
         results: outcome.results.map(one => ({ ...one, label: say(one.label) })),
+        more: 0,
       }
     : null;
 }
@@ -146,9 +150,9 @@ function byCall(results: ShownResult[]): (ShownResult | string)[] {
 const decided = (one: Shown["decisions"][number]): string =>
   [callText(one), say(one.message)].filter(Boolean).join(": ");
 
-function body({ alarms, changes, decisions, results }: Shown, give: Actions["give"]): TemplateResult {
+function body({ alarms, changes, decisions, results, more }: Shown, give: Actions["give"]): TemplateResult {
   const rows = byCall(results);
-  const unseen = rows.slice(ROWS).filter(one => typeof one !== "string").length;
+  const unseen = more + rows.slice(ROWS).filter(one => typeof one !== "string").length;
   const last = decisions.length - 1;
   return html`<ul class="alarms" aria-label=${t("outcome-alarms")} ?hidden=${alarms.length === 0}>
       ${alarms.slice(0, ROWS).map(one =>
@@ -185,7 +189,7 @@ function body({ alarms, changes, decisions, results }: Shown, give: Actions["giv
         [t("column-name"), t("column-meaning"), t("column-value"), t("column-unit")],
         rows.slice(0, ROWS).map(one => (typeof one === "string" ? groupRow(one) : resultRow(one))),
       )}
-      <p class="empty" ?hidden=${rows.length <= ROWS}>${t("results-more", { count: unseen })}</p>
+      <p class="empty" ?hidden=${unseen === 0}>${t("results-more", { count: unseen })}</p>
     </div>`;
 }
 
