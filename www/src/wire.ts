@@ -766,6 +766,8 @@ export type ConceptView = {
   source: Cited,
   /** Its live picture; absent: no picture carries it. */
   example?: ConceptExample,
+  /** Why no picture carries it; absent: it has one. */
+  still?: Message,
 };
 
 /** A connection. */
@@ -2590,7 +2592,7 @@ export type ProtocolView = {
   missing: number,
   /** Lines that fit no call, in their order. */
   unfit: Array<ProtocolLine>,
-  /** Lines that were laid though their figures contradict each other, in their order. */
+  /** Lines that were laid though something in them contradicts it, in their order. */
   doubtful: Array<ProtocolLine>,
   /** How the faces that were touched lie, in their order. */
   arrows: Array<Arrow>,

@@ -354,3 +354,14 @@ concept-told-repeated = { $count ->
         [1] Eine Antastung, { $mean } µm neben der Stelle; der Messtaster streut um { $scatter } µm.
        *[other] Der Mittelwert aus { $count } Antastungen liegt { $mean } µm neben der Stelle. Er streut um { $scatter } µm, eine einzelne um { $single } µm.
     }
+
+# Warum ein Konzept kein Bild hat.
+concept-still-conditions = Kein Bild: Das sind Bedingungen, nichts bewegt sich.
+concept-still-skipped = Kein Bild: Wo ein Zyklus übersprungen wird, bewegt sich nichts.
+concept-still-same = Kein Bild: Ohne Transformation ist es das Maschinenkoordinatensystem.
+concept-still-transformation = Kein Bild: Eine Transformation ist an keinem Werkstück zu sehen.
+concept-still-table = Kein Bild: Das hängt von der Maschine ab, nicht von einer Position.
+concept-still-electrical = Kein Bild: Das ist elektrisch, nichts bewegt sich.
+concept-still-errors = Kein Bild: Diese Fehler sind kleiner, als ein Bild zeigt.
+concept-still-memory = Kein Bild: Das ist Speicher der Steuerung.
+concept-still-unit = Kein Bild: Es ist dieselbe Länge in einer anderen Einheit.

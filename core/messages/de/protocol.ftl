@@ -18,3 +18,5 @@ protocol-no-line = In Zeile { $line } des Programms steht kein Aufruf ohne Wert:
 protocol-no-result = Der Aufruf hat kein Ergebnis { $name } ohne Wert: die Spalte des Ergebnisses prüfen.
 protocol-differs = Die Abweichung { $by } ist nicht Istwert minus Sollwert, das wäre { $is }: die Spalten prüfen.
 protocol-contradicted = { $actual } gilt als Istwert zum Sollwert { $set }, doch { $by } ist nicht ihre Differenz: die Zeile prüfen oder die Spalten auswählen.
+protocol-ambiguous = { $actual } gilt als Istwert zum Sollwert { $set }, doch { $other } könnte es auch sein: die Zeile prüfen oder die Spalten auswählen.
+protocol-marked = Die Maschine hat { $actual } als jenseits einer Grenze gekennzeichnet; nach der Toleranz dieses Programms liegt der Wert innerhalb: die Toleranz oder die Nachkommastellen des Protokolls prüfen.

@@ -363,6 +363,7 @@ report-guides = Anleitungen
 report-guides-intro = Wozu ein Teil von Probewright dient, wo er auf der Seite und im Terminal ist und worauf zu achten ist; „probewright explain guides“ listet sie auf. Aus der Tabelle erzeugt; nicht bearbeiten.
 report-terms = Konzepte und Begriffe
 report-terms-intro = Was die Handbücher voraussetzen: Konzepte mit je einer Seite, und Begriffe. Aus den Tabellen erzeugt; nicht bearbeiten.
+report-terms-live = Bewegtes Bild auf der Seite: { $what } ziehen.
 report-terms-list = Begriffe
 report-commissioning = Inbetriebnahme und Hochrüstung
 report-commissioning-intro = Die Schritte, mit denen Messzyklen auf eine Maschine kommen, nach der Art der Bedientafel, und die Anschlüsse der Messtaster. Aus den Tabellen erzeugt; nicht bearbeiten.

@@ -154,7 +154,7 @@ run-skipped-dry-run = { $word } wird übersprungen: Probelauf ($P_DRYRUN). _OVR[
 run-skipped-program-test = { $word } wird übersprungen: Programmtest ($P_ISTEST). _OVR[] und _OVI[] behalten ihre Werte, nichts wird korrigiert.
 run-skipped-block-search = { $word } wird übersprungen: Satzsuchlauf ($P_SEARCH). _OVR[] und _OVI[] behalten ihre Werte, nichts wird korrigiert.
 run-skipped-simulation = { $word } wird übersprungen: Simulation mit _MC_SIMSIM = 0. _OVR[] und _OVI[] behalten ihre Werte, nichts wird korrigiert.
-run-jobshop = { $word } wird simuliert: Er misst, korrigiert aber nichts, zeigt kein Ergebnis und protokolliert nicht.
+run-jobshop = { $word } wird simuliert: Er misst, korrigiert aber nichts, zeigt kein Ergebnis, überwacht keine Kollision und protokolliert nicht.
 run-deviation = { $word } misst { $deviation } mm hinter der Berührung in Messrichtung (_MC_SIMDIFF).
 run-search-missed = Der Satzsuchlauf hat Zeile { $line } nicht erreicht: Alle Messzyklen wurden übersprungen.
 run-search-target = Der Satzsuchlauf hat kein Suchziel: Alle Messzyklen wurden übersprungen. Die Zeile eingeben, an der er endet.

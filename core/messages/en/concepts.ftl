@@ -354,3 +354,14 @@ concept-told-repeated = { $count ->
         [1] One touch, { $mean } µm beside the place, where the probe scatters by { $scatter } µm.
        *[other] The mean of { $count } touches is { $mean } µm beside the place. It scatters by { $scatter } µm, a single touch by { $single } µm.
     }
+
+# Why a concept has no picture.
+concept-still-conditions = No picture: these are conditions, and nothing moves.
+concept-still-skipped = No picture: where a cycle is skipped, nothing moves.
+concept-still-same = No picture: without a transformation it is the machine coordinate system.
+concept-still-transformation = No picture: no part shows a transformation.
+concept-still-table = No picture: this depends on the machine, not on a position.
+concept-still-electrical = No picture: this is electrical, and nothing moves.
+concept-still-errors = No picture: these errors are smaller than a picture shows.
+concept-still-memory = No picture: this is memory of the control.
+concept-still-unit = No picture: it is the same length in another unit.

@@ -18,3 +18,5 @@ protocol-no-line = No call without a value is in line { $line } of the program: 
 protocol-no-result = The call has no result { $name } without a value: check the column of the result.
 protocol-differs = The deviation { $by } is not actual value minus setpoint, which is { $is }: check the columns.
 protocol-contradicted = { $actual } is taken as the actual value of the setpoint { $set }, but { $by } is not their difference: check the line, or choose the columns.
+protocol-ambiguous = { $actual } is taken as the actual value of the setpoint { $set }, but { $other } could be it too: check the line, or choose the columns.
+protocol-marked = The machine marked { $actual } as beyond a limit; by the tolerance of this program it is within: check the tolerance, or the decimals of the log.

@@ -363,6 +363,7 @@ report-guides = Guides
 report-guides-intro = What a part of Probewright is for, where it is in the page and in the terminal, and what to look out for; “probewright explain guides” lists them. Generated from the table; do not edit.
 report-terms = Concepts and terms
 report-terms-intro = What the manuals take for granted: concepts, a page each, and terms. Generated from the tables; do not edit.
+report-terms-live = Live picture in the page: drag { $what }.
 report-terms-list = Terms
 report-commissioning = Commissioning and upgrade
 report-commissioning-intro = The steps by which measuring cycles come to a machine, by the sort of its operator panel, and the connections of probes. Generated from the tables; do not edit.

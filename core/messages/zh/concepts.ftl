@@ -353,3 +353,14 @@ concept-told-repeated = { $count ->
         [1] 一次触碰，距该处 { $mean } µm；测头的离散为 { $scatter } µm。
        *[other] { $count } 次触碰的平均值距该处 { $mean } µm。其离散为 { $scatter } µm，单次为 { $single } µm。
     }
+
+# 概念没有图的原因。
+concept-still-conditions = 无图：这些是条件，没有运动。
+concept-still-skipped = 无图：循环被跳过时没有运动。
+concept-still-same = 无图：没有坐标变换时，它就是机床坐标系。
+concept-still-transformation = 无图：工件上看不到坐标变换。
+concept-still-table = 无图：这取决于机床，而不是位置。
+concept-still-electrical = 无图：这是电气内容，没有运动。
+concept-still-errors = 无图：这些误差小到图中看不出。
+concept-still-memory = 无图：这是控制系统的存储器。
+concept-still-unit = 无图：是同一长度，只是单位不同。

@@ -15,3 +15,5 @@ protocol-no-line = 程序第 { $line } 行没有尚缺数值的调用：请检�
 protocol-no-result = 该调用没有尚缺数值的结果 { $name }：请检查结果列。
 protocol-differs = 偏差 { $by } 不等于实际值减设定值，后者为 { $is }：请检查各列。
 protocol-contradicted = { $actual } 被当作设定值 { $set } 的实际值，但 { $by } 不是两者之差：请检查该行，或选择各列。
+protocol-ambiguous = { $actual } 被当作设定值 { $set } 的实际值，但 { $other } 也可能是：请检查该行，或选择各列。
+protocol-marked = 机床将 { $actual } 标记为超出极限，但按此程序的公差它在公差内：请检查公差或记录的小数位数。

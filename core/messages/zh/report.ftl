@@ -363,6 +363,7 @@ report-guides = 指南
 report-guides-intro = Probewright 的某一部分有何用途、在页面和终端的哪里、要注意什么；“probewright explain guides”列出全部指南。由数据表生成，请勿编辑。
 report-terms = 概念与术语
 report-terms-intro = 手册默认读者已知的内容：每个概念一节，另附术语。由数据表生成，请勿编辑。
+report-terms-live = 页面中有动态图：拖动{ $what }。
 report-terms-list = 术语
 report-commissioning = 调试与升级
 report-commissioning-intro = 将测量循环装入机床的步骤（按操作面板类型）以及测头的接线。由数据表生成，请勿编辑。

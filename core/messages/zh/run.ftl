@@ -154,7 +154,7 @@ run-skipped-dry-run = 跳过 { $word }：空运行（$P_DRYRUN）。_OVR[] 和 _
 run-skipped-program-test = 跳过 { $word }：程序测试（$P_ISTEST）。_OVR[] 和 _OVI[] 保持原值，不进行补偿。
 run-skipped-block-search = 跳过 { $word }：程序段搜索（$P_SEARCH）。_OVR[] 和 _OVI[] 保持原值，不进行补偿。
 run-skipped-simulation = 跳过 { $word }：仿真且 _MC_SIMSIM = 0。_OVR[] 和 _OVI[] 保持原值，不进行补偿。
-run-jobshop = { $word } 为仿真：进行测量，但不补偿刀具和零点偏移，不显示结果画面，也不写测量记录。
+run-jobshop = { $word } 为仿真：进行测量，但不补偿刀具和零点偏移，不显示结果画面，不监控碰撞，也不写测量记录。
 run-deviation = { $word } 的测量位置沿测量方向超出接触点 { $deviation } mm（_MC_SIMDIFF）。
 run-search-missed = 程序段搜索没有到达第 { $line } 行：跳过了所有测量循环。
 run-search-target = 程序段搜索没有目标：跳过了所有测量循环。请输入搜索结束的行。

@@ -22,8 +22,8 @@ pub struct Change {
     pub unit: &'static str,
 }
 
-/// Tools, frames and memories before and after.
-pub(super) fn changes(outcome: &run::Outcome) -> Vec<Change> {
+/// Tools, frames and memories before and after, lengths in the unit of the basic system.
+pub fn changes(outcome: &run::Outcome) -> Vec<Change> {
     let changes = outcome.changes().into_iter();
     changes.map(|one| Change::of(&outcome.control, one.name, one.before, one.after)).collect()
 }

@@ -70,7 +70,7 @@ pub use certainty::{
     CallCertainty, Certain, CertainChances, CertaintyRequest, CertaintyView, Contribution, WholeCertainty,
     WholeCertaintyRequest, certainty, certainty_of, whole_certainty,
 };
-pub use changes::Change;
+pub use changes::{Change, changes};
 pub use commissioning::{
     CommissioningPath, CommissioningStep, CommissioningView, CompatibilityRequest, CompatibilityRow, CompatibilityView,
     ConnectionView, commissioning, compatibility, compatibility_on,

@@ -58,6 +58,9 @@ pub struct ConceptView {
     /// Its live picture; absent: no picture carries it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub example: Option<ConceptExample>,
+    /// Why no picture carries it; absent: it has one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub still: Option<Message>,
 }
 
 /// A term with its definition.
@@ -103,7 +106,7 @@ fn guide(guide: &Guide) -> GuideView {
 }
 
 fn concept(concept: &Concept) -> ConceptView {
-    let Concept { id, group, lines, names, source, example: live } = concept;
+    let Concept { id, group, lines, names, source, shown } = concept;
     let line = |number| Message::new(format!("concept-{id}-{number}"));
     ConceptView {
         id,
@@ -112,7 +115,8 @@ fn concept(concept: &Concept) -> ConceptView {
         lines: (1..=*lines).map(line).collect(),
         names: names.clone(),
         source: *source,
-        example: live.as_ref().and_then(example),
+        example: shown.as_ref().ok().and_then(example),
+        still: shown.as_ref().err().map(|why| Message::new(format!("concept-still-{why}"))),
     }
 }
 

@@ -74,8 +74,11 @@ pub fn screen(machine: &mut dyn Machine, cycle: &Cycle) {
     }
 }
 
-/// Shows it, as long as the machine says.
+/// Shows it, as long as the machine says, where it shows any.
 pub fn show(machine: &mut dyn Machine) {
+    if !machine.reports() {
+        return;
+    }
     let control = machine.control();
     let key = match (control.bit("_CHBIT[11]"), control.bit("_CHBIT[18]")) {
         (true, _) => SCREEN_HALTS,

@@ -81,6 +81,8 @@ pub trait Machine {
     fn correct(&mut self, name: &str, value: f64);
     /// Whether [`Machine::correct`] changes the data: some simulations of a control only measure (B:676-678).
     fn corrects(&self) -> bool;
+    /// Whether it shows result screens and logs: those simulations do neither (B:676-678).
+    fn reports(&self) -> bool;
     /// Applies the length of another edge of the tool in use (NCT: another register), 0 none; the spindle nose stays.
     fn select(&mut self, edge: i64);
     /// Turns the spindle to this angle where it stands.

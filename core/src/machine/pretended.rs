@@ -7,13 +7,13 @@ use crate::geometry::{Mcs, V3};
 pub struct Pretended {
     /// Beyond where the probe switches that the measured position lies, in the direction of the motion, mm.
     pub deviation: f64,
-    /// Whether tool and zero offsets are corrected.
-    pub corrects: bool,
+    /// Whether there is more than the measurement: offsets, result screen, log, monitored travel (B:676-678).
+    pub whole: bool,
 }
 
 impl Default for Pretended {
     fn default() -> Pretended {
-        Pretended { deviation: 0.0, corrects: true }
+        Pretended { deviation: 0.0, whole: true }
     }
 }
 

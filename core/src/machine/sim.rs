@@ -150,7 +150,7 @@ impl Sim {
     ) -> Result<(), Stop> {
         let way = Route { from: self.position, to, around };
         self.admit(&way)?;
-        if self.still {
+        if self.still || (monitored && !self.pretended.whole) {
             self.go(&way, kind, feed);
             return Ok(());
         }
@@ -377,7 +377,11 @@ impl Machine for Sim {
     }
 
     fn corrects(&self) -> bool {
-        self.pretended.corrects || !self.in_cycle
+        self.pretended.whole || !self.in_cycle
+    }
+
+    fn reports(&self) -> bool {
+        self.pretended.whole
     }
 
     fn select(&mut self, edge: i64) {

@@ -2,6 +2,7 @@
 
 use super::markdown::line;
 use crate::app::{ConceptView, TermView, TermsView, terms};
+use crate::message::Message;
 use crate::words::Words;
 use std::fmt::Write;
 
@@ -18,6 +19,7 @@ pub fn page(words: &Words) -> String {
         for concept in group {
             line(&mut text, &format!("### {}", words.text(&concept.title)));
             line(&mut text, &format!("{} {}", said(concept, words), place(&concept.names, concept.source.to_string())));
+            line(&mut text, &picture(concept, words));
         }
     }
     line(&mut text, &format!("## {}", words.key("report-terms-list")));
@@ -30,6 +32,13 @@ pub fn page(words: &Words) -> String {
 
 fn said(concept: &ConceptView, words: &Words) -> String {
     concept.lines.iter().map(|line| words.text(line)).collect::<Vec<_>>().join(" ")
+}
+
+/// What its picture shows in the page, or why it has none.
+fn picture(concept: &ConceptView, words: &Words) -> String {
+    let live =
+        concept.example.as_ref().map(|live| Message::new("report-terms-live").text("what", words.text(&live.label)));
+    live.or_else(|| concept.still.clone()).map_or_else(String::new, |message| words.text(&message))
 }
 
 /// What else helps to understand a term.
@@ -59,6 +68,7 @@ pub fn explained(asked: &str, words: &Words) -> String {
         for line in &concept.lines {
             let _ = writeln!(text, "  {}", words.text(line));
         }
+        let _ = writeln!(text, "  {}", picture(concept, words));
         let _ = writeln!(text, "  {}", place(&concept.names, concept.source.to_string()));
     }
     for term in terms.iter().filter(|term| is(&term.term)) {

@@ -1,6 +1,7 @@
 //! The measuring calls that a run carried out, with what they were given.
 
 use super::Outcome;
+use crate::catalogue::log;
 use crate::control::Units;
 use crate::entry::{Cycle, Inputs};
 use crate::machine::{Entry, Step};
@@ -14,6 +15,8 @@ pub struct Called {
     pub inputs: Inputs,
     /// Active system of units at the call.
     pub units: Units,
+    /// What its block of values in the log shows; none: it is not logged.
+    pub log: Option<log::Layout>,
 }
 
 /// Whether a call of this cycle is a measurement: it touches, and leaves what it found.

@@ -104,7 +104,7 @@ pub fn carry_out(run: &mut Interpreter, cycle: &'static Cycle, checked: Checked,
         let logging = run.sim.control.bit(log::ON);
         let from = run.sim.trace.entries.len();
         call::perform(&mut run.sim, inputs).map_err(Halt::at(span))?;
-        logged::called(run, cycle, span, from, logging);
+        logged::called(run, inputs, span, from, logging);
         return around(run, &BEHIND, cycle, span);
     }
     match code {
@@ -128,7 +128,7 @@ pub fn carry_out(run: &mut Interpreter, cycle: &'static Cycle, checked: Checked,
 fn keep(run: &mut Interpreter, inputs: Inputs) {
     if called::measures(inputs.cycle) {
         let (at, units) = (run.sim.trace.entries.len(), run.sim.control.active_units);
-        run.called.push(Called { at, inputs, units });
+        run.called.push(Called { at, inputs, units, log: None });
     }
 }
 

@@ -3,7 +3,7 @@
 use super::Interpreter;
 use crate::catalogue::log;
 use crate::diagnostic::{Severity, Span};
-use crate::entry::Cycle;
+use crate::entry::{Inputs, ProbeUse};
 use crate::machine::Step;
 use crate::message::Message;
 use crate::problem::Problem;
@@ -13,10 +13,17 @@ const TOLD: [(&str, &str); 2] = [(log::LOG_DELETED, "run-log-deleted"), (log::LO
 
 const FULL: &str = "run-log-full";
 
-/// Keeps where the log was switched on, and tells what the call at this place decided about it. `from`: its first entry
-/// of the trace; `logged`: whether the log was on before it.
-pub fn called(run: &mut Interpreter, cycle: &Cycle, span: Span, from: usize, logged: bool) {
-    let place = run.placed(span);
+/// Number of the job that prints the values of the last measurement (B:11239, B:11250).
+const VALUES: i64 = 2;
+
+/// Keeps where the log was switched on and what it shows, and tells what the call at this place decided about it.
+/// `from`: its first entry of the trace; `logged`: whether the log was on before it.
+pub fn called(run: &mut Interpreter, inputs: &Inputs, span: Span, from: usize, logged: bool) {
+    let (place, cycle) = (run.placed(span), inputs.cycle);
+    let prints = cycle.purpose.probe == ProbeUse::Log && inputs.variant == VALUES;
+    if let Some(last) = run.called.last_mut().filter(|_| prints || (logged && cycle.is_measuring_cycle())) {
+        last.log = Some(log::layout(&run.sim.control));
+    }
     let logs = run.sim.control.bit(log::ON);
     if !logged && logs {
         run.log_on = Some(place);

@@ -26,7 +26,8 @@ pub enum Mode {
     BlockSearch,
     /// The simulation of HMI Advanced, `$P_SIM`: the cycles are executed.
     Simulation,
-    /// The simulation of Jobshop products, `$P_SEARCH` with `$A_PROTO`: measured, but nothing is corrected.
+    /// The simulation of Jobshop products, `$P_SEARCH` with `$A_PROTO`: measured, but nothing is corrected, shown,
+    /// monitored or logged.
     Jobshop,
 }
 
@@ -91,7 +92,8 @@ pub fn comes(run: &mut Interpreter) {
 /// does only seems so.
 pub fn skips(run: &mut Interpreter, cycle: &Cycle, span: Span) -> bool {
     let mode = active(run);
-    run.sim.pretended = Pretended::default();
+    let whole = mode != Mode::Jobshop;
+    run.sim.pretended = Pretended { whole, ..Pretended::default() };
     if !cycle.is_measuring_cycle() {
         return false;
     }
@@ -104,7 +106,7 @@ pub fn skips(run: &mut Interpreter, cycle: &Cycle, span: Span) -> bool {
         Mode::Simulation | Mode::Jobshop if !control.bit(EXECUTED) => "run-skipped-simulation",
         Mode::Simulation | Mode::Jobshop => {
             let deviation = control.basic_length(DEVIATION);
-            run.sim.pretended = Pretended { deviation, corrects: mode == Mode::Simulation };
+            run.sim.pretended = Pretended { deviation, whole };
             if mode == Mode::Jobshop {
                 run.tell(Severity::Note, &Problem::new("run-jobshop", span, cycle.name));
             }

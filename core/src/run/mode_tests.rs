@@ -3,10 +3,12 @@
 
 use super::mode::Mode;
 use super::{Limits, Outcome, run};
+use crate::check::upkeep::SCREEN;
 use crate::control::Plane;
+use crate::diagnostic::Code;
 use crate::dialect::Dialect;
 use crate::geometry::Mcs;
-use crate::machine::{Setup, Step};
+use crate::machine::{Setup, Step, Stop};
 use crate::syntax::read;
 use crate::workpiece::{Shape, Solid};
 
@@ -151,6 +153,38 @@ fn jobshop_says_that_nothing_is_corrected() {
         assert!(sets(&real) > 0 && sets(&shown) == 0, "{}", sets(&shown));
         let corrects = |key: &String| key.starts_with("evaluate-corrects") && key != "evaluate-corrects-simulated";
         assert!(!said(&shown).iter().any(|key| corrects(key) || key == automatic), "{:?}", said(&shown));
+    }
+}
+
+// oracle: manual B:676-678 (neither measuring result display nor travel with collision monitoring nor logging)
+#[test]
+fn jobshop_neither_shows_nor_monitors_nor_logs() {
+    let log = "_PROTNAME[0]=\"MAIN\" _PROTNAME[1]=\"LOGX\" _PROTVAL[2]=\"_OVR[0],_OVR[4]\"\nCYCLE100\n";
+    let text = PROGRAM
+        .replace("CYCLE977\n", "CYCLE977\nCYCLE106(2)\nCYCLE105(1)\nCYCLE101\n")
+        .replace("_MVAR=102", &format!("{log}_MVAR=102"));
+    let done = |mode, stands: bool| {
+        let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
+        let mut put = |shape, at| setup.workpiece.solids.push(Solid::new(shape, Mcs(at)));
+        put(Shape::Shaft { diameter: 70.0, height: 40.0 }, [64.0, 38.0, 120.0]);
+        if stands {
+            put(Shape::Block { size: [6.0, 6.0, 30.0] }, [85.0, 38.0, 150.0]); // on the shaft, in the way to its side
+        }
+        setup.position = Mcs([64.0, 38.0, 500.0]);
+        setup.control.set("_CHBIT[10]", 1.0);
+        run(&read(Dialect::Sinumerik, text.as_bytes()), &setup, Limits { mode, ..Limits::default() })
+    };
+    let screens = |outcome: &Outcome| {
+        let shows = |step: &Step| matches!(step, Step::Decision { message } if message.key == SCREEN);
+        outcome.trace.entries.iter().filter(|entry| shows(&entry.step)).count()
+    };
+    let real = done(Mode::Automatic, false);
+    assert!(real.finished() && real.files.iter().count() == 1 && screens(&real) == 1, "{:?}", real.diagnostics);
+    assert_eq!(done(Mode::Automatic, true).stop, Some(Stop::Alarm(Code::Alarm(61302))));
+    for stands in [false, true] {
+        let shown = done(Mode::Jobshop, stands);
+        assert!(shown.finished(), "{:?} {:?}", shown.stop, shown.diagnostics);
+        assert_eq!((shown.files.iter().count(), screens(&shown), shown.control.number("_OVR[4]")), (0, 0, 70.0));
     }
 }
 

@@ -49,7 +49,13 @@ function entry(block: string, field: AroundField, hands: Hands) {
       @change=${typed}
     />`;
   const now = field.value || field.preset;
-  return html`<select id=${id(block, field.name)} @change=${typed}>
+  return html`<select
+    id=${id(block, field.name)}
+    aria-invalid=${field.problem ? "true" : nothing}
+    aria-describedby=${field.problem ? `${id(block, field.name)}-problem` : nothing}
+    @change=${typed}
+  >
+    ${now ? nothing : html`<option value="" selected>–</option>`}
     ${field.choices.map(
       ([value, key]) =>
         html`<option value=${value} ?selected=${value === now}>

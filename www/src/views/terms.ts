@@ -27,7 +27,7 @@ function place(names: string[], source: string): HTMLElement {
 }
 
 /** The page of a concept; its picture is drawn once it is opened. */
-function page(core: ProgramCore, { id, title, lines, names, source, example }: ConceptView): HTMLDetailsElement {
+function page(core: ProgramCore, { id, title, lines, names, source, example, still }: ConceptView): HTMLDetailsElement {
   const behind = place(names, source);
   const seen = new Set<string>(); // a page marks each term once
   const root = el(
@@ -35,6 +35,7 @@ function page(core: ProgramCore, { id, title, lines, names, source, example }: C
     { class: "term-page", id: `concept-${id}` },
     el("summary", {}, say(title)),
     ...lines.map(line => el("p", {}, ...glossed(say(line), seen))),
+    still ? el("p", {}, el("small", {}, say(still))) : null,
     behind,
   );
   if (example)

@@ -95,7 +95,7 @@ impl Verdict {
 
 /// The call of a form; none of one that is no measurement.
 pub(super) fn of_call(inputs: &Inputs, outcome: &run::Outcome) -> Option<Answer> {
-    let called = Called { at: 0, inputs: inputs.clone(), units: outcome.before.active_units };
+    let called = Called { at: 0, inputs: inputs.clone(), units: outcome.before.active_units, log: None };
     measures(inputs.cycle).then(|| answer(&called, outcome))
 }
 

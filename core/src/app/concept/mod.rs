@@ -135,7 +135,7 @@ pub(super) fn example(example: &Example) -> Option<ConceptExample> {
 pub fn concept_picture(asked: ConceptRequest) -> Result<ConceptPicture, Error> {
     let none = || unknown("document-concept", &asked.concept);
     let concept = CONCEPTS.iter().find(|one| one.id == asked.concept).ok_or_else(none)?;
-    let example = concept.example.as_ref().ok_or_else(none)?;
+    let example = concept.shown.as_ref().map_err(|_| none())?;
     if !asked.value.is_finite() {
         return Err(Error::new("document-concept", Path::of(&["value"])).text("name", asked.concept));
     }
@@ -179,7 +179,7 @@ mod tests {
     fn each_picture_changes_with_what_is_dragged() {
         let mut wrong = Vec::new();
         for concept in CONCEPTS.iter() {
-            let Some(live) = &concept.example else { continue };
+            let Ok(live) = &concept.shown else { continue };
             if example(live).is_none() {
                 wrong.push(format!("{}: {} has no field {}", concept.id, live.of, live.drag));
                 continue;
@@ -197,7 +197,7 @@ mod tests {
     #[test]
     fn a_dragged_measurement_comes_to_its_end() {
         for concept in CONCEPTS.iter() {
-            let Some(live) = &concept.example else { continue };
+            let Ok(live) = &concept.shown else { continue };
             let Some(call) = Call::of(live) else { continue };
             for value in [live.from, (live.from + live.to) / 2.0, live.to] {
                 let value = if call.drag == "_MA" { value.round() } else { value };

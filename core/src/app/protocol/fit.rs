@@ -4,6 +4,7 @@ use super::text::{Figure, Line};
 use super::{Column, Columns};
 use crate::app::run::RunAnswer;
 use crate::message::Message;
+use crate::run::called::Called;
 use std::collections::BTreeMap;
 
 /// A quantity that a call measures, and its value in the protocol.
@@ -21,6 +22,8 @@ pub struct Quantity {
     pub told: Option<Figure>,
     /// Smallest and largest permissible value, where the protocol has them.
     pub limits: Option<[f64; 2]>,
+    /// The line in which the machine marked it as beyond a limit (B:11439-11441).
+    pub marked: Option<Line>,
 }
 
 /// Farthest that an actual value without a difference beside it is from its setpoint, mm or degree.
@@ -35,6 +38,7 @@ const PARTS: f64 = 1000.0;
 /// The calls of a program as a protocol has their values.
 pub struct Fit<'a> {
     calls: &'a [RunAnswer],
+    called: &'a [Called],
     /// All quantities, in the order of the calls.
     pub quantities: Vec<Quantity>,
     /// Index of the first quantity of each call, and one behind the last.
@@ -47,6 +51,8 @@ pub struct Fit<'a> {
     until: usize,
     /// The quantity of the last line.
     last: Option<usize>,
+    /// The call of the last heading, and the line of its block of values that comes next.
+    block: Option<(usize, usize)>,
     /// One behind the call of the last heading.
     headed: usize,
     /// Calls by cycle and variant, the last one first; those before `headed` are taken away as they are met.
@@ -59,8 +65,8 @@ pub struct Fit<'a> {
 type Unfit = Message;
 
 impl<'a> Fit<'a> {
-    /// No line is laid yet. `variants`: number of the variant of each call.
-    pub fn new(calls: &'a [RunAnswer], variants: &[i64]) -> Fit<'a> {
+    /// No line is laid yet.
+    pub fn new(calls: &'a [RunAnswer], called: &'a [Called]) -> Fit<'a> {
         let (mut quantities, mut starts) = (Vec::new(), vec![0]);
         for (call, answer) in calls.iter().enumerate() {
             let figures = answer.answer.figures.iter();
@@ -71,12 +77,13 @@ impl<'a> Fit<'a> {
                 actual: None,
                 told: None,
                 limits: None,
+                marked: None,
             }));
             starts.push(quantities.len());
         }
         let (mut by_kind, mut by_line) = (BTreeMap::new(), BTreeMap::new());
-        for (index, (answer, variant)) in calls.iter().zip(variants).enumerate().rev() {
-            let kind = (answer.call.cycle.unwrap_or_default(), *variant);
+        for (index, (answer, one)) in calls.iter().zip(called).enumerate().rev() {
+            let kind = (answer.call.cycle.unwrap_or_default(), one.inputs.variant);
             by_kind.entry(kind).or_insert_with(Vec::new).push(index);
             by_line.entry(answer.call.line.unwrap_or_default()).or_insert_with(Vec::new).push(index);
         }
@@ -85,7 +92,21 @@ impl<'a> Fit<'a> {
             by_set.entry(part(set)).or_default().push(index);
         }
         let until = quantities.len();
-        Fit { calls, quantities, starts, by_set, from: 0, until, last: None, headed: 0, by_kind, by_line }
+        let block = None;
+        Fit {
+            calls,
+            called,
+            quantities,
+            starts,
+            by_set,
+            from: 0,
+            until,
+            last: None,
+            block,
+            headed: 0,
+            by_kind,
+            by_line,
+        }
     }
 
     /// Lays a line whose figures say by themselves what they are, or takes it as a heading; gives a doubt about what
@@ -96,6 +117,9 @@ impl<'a> Fit<'a> {
     pub fn plain(&mut self, line: &Line) -> Result<Option<Message>, Unfit> {
         if let Some(heading) = self.heading(line) {
             return heading.map(|()| None);
+        }
+        if let Some(doubt) = self.of_block(line) {
+            return Ok(doubt);
         }
         let figures = line.fields.iter().filter_map(|field| line.figure(field)).take(FIGURES);
         let figures: Vec<Figure> = figures.collect();
@@ -116,7 +140,36 @@ impl<'a> Fit<'a> {
             return Ok(None);
         };
         self.put(index, line, actual, None);
-        Ok(if sure { None } else { contradicted(&figures[at..]) })
+        self.quantities[index].marked = line.fields.iter().any(|field| is_marked(field)).then(|| line.clone());
+        Ok(if sure { None } else { doubt(&figures[at..]) })
+    }
+
+    /// Lays a line of the block of values below a heading by what the program prints in its columns, and gives a doubt
+    /// about it; none: it is no such line.
+    fn of_block(&mut self, line: &Line) -> Option<Option<Message>> {
+        let (call, at) = self.block?;
+        let columns = self.called[call].log.as_ref()?.get(at)?;
+        if columns.len() != line.fields.len() {
+            return None;
+        }
+        let numbers = columns.iter().zip(&line.fields).filter_map(|(name, field)| Some((name.as_deref()?, field)));
+        let read: Option<Vec<(&str, &String, Figure)>> =
+            numbers.map(|(name, field)| Some((name, field, line.figure(field)?))).collect();
+        let read = read?;
+        let column = |wanted: Option<String>| read.iter().find(|(name, ..)| Some(*name) == wanted.as_deref());
+        self.block = Some((call, at + 1));
+        let mut doubt = None;
+        for index in self.starts[call]..self.starts[call + 1] {
+            let Quantity { name, set, .. } = self.quantities[index];
+            let Some((_, field, actual)) = column(Some(name.to_owned())) else { continue };
+            let near = |told: &Figure| set.is_some_and(|set| (told.value - set).abs() <= NEAR);
+            let told = column(beside(name, SETPOINT)).map(|(.., figure)| *figure).filter(near);
+            let by = column(beside(name, DIFFERENCE)).map(|(.., figure)| *figure);
+            doubt = doubt.or_else(|| differs(told?, *actual, by?));
+            self.put(index, line, actual.value, told.filter(|told| set.is_some_and(|set| !told.is(set))));
+            self.quantities[index].marked = is_marked(field).then(|| line.clone());
+        }
+        Some(doubt)
     }
 
     fn put(&mut self, index: usize, line: &Line, actual: f64, told: Option<Figure>) {
@@ -156,12 +209,13 @@ impl<'a> Fit<'a> {
             calls.pop()
         });
         let Some(call) = found else {
-            (self.from, self.until, self.last) = (0, 0, None);
+            (self.from, self.until, self.last, self.block) = (0, 0, None, None);
             let why = Message::new("protocol-no-heading").text("cycle", cycle).number("variant", variant as f64);
             return Some(Err(why));
         };
         self.headed = call + 1;
         (self.from, self.until, self.last) = (self.starts[call], self.starts[call + 1], None);
+        self.block = Some((call, 0));
         Some(Ok(()))
     }
 
@@ -191,6 +245,9 @@ impl<'a> Fit<'a> {
     /// # Errors
     /// It fits no call: why.
     pub fn row(&mut self, line: &Line, columns: &Columns) -> Result<(), Unfit> {
+        if let Some(heading) = self.heading(line) {
+            return heading;
+        }
         let text = |column: &Column| line.fields.get(column.index).map_or("", String::as_str);
         let number = |column: &Option<Column>| {
             let Some(column) = column else { return Ok(None) };
@@ -248,7 +305,7 @@ impl<'a> Fit<'a> {
         while call.is_none() && self.quantities.get(self.from).is_some_and(|one| one.actual.is_some()) {
             self.from += 1;
         }
-        let ahead = self.quantities.len().min(self.from + AHEAD);
+        let ahead = self.until.min(self.from + AHEAD);
         let range = call.map_or(self.from..ahead, |call| self.starts[call]..self.starts[call + 1]);
         let open = |index: &usize| self.quantities[*index].actual.is_none();
         let named = |index: &usize| name.is_none_or(|name| self.quantities[*index].name == name);
@@ -269,11 +326,41 @@ impl<'a> Fit<'a> {
     }
 }
 
-/// A setpoint and an actual value beside it, and behind them what looks like their difference and is none.
-fn contradicted(figures: &[Figure]) -> Option<Message> {
-    let [set, actual, by, ..] = figures else { return None };
-    let message = || Message::new("protocol-contradicted").number("by", by.value).number("actual", actual.value);
-    (by.value.abs() <= NEAR).then(|| message().number("set", set.value))
+/// A setpoint and an actual value beside it: behind them stands what looks like their difference and is none, or what
+/// could be the actual value as well.
+fn doubt(figures: &[Figure]) -> Option<Message> {
+    let [set, actual, others @ ..] = figures else { return None };
+    let say = |key| Message::new(key).number("set", set.value).number("actual", actual.value);
+    if let Some(by) = others.first().filter(|by| by.value.abs() <= NEAR) {
+        return Some(say("protocol-contradicted").number("by", by.value));
+    }
+    let other = others.iter().find(|other| (other.value - set.value).abs() <= NEAR)?;
+    Some(say("protocol-ambiguous").number("other", other.value))
+}
+
+/// How far in `_OVR[]` setpoint and difference stand from an actual value, which are 4 to 7 (B:5675-5683);
+/// of a calibration other things stand there.
+const SETPOINT: i64 = -4;
+const DIFFERENCE: i64 = 12;
+
+/// The result that belongs to an actual value.
+fn beside(name: &str, by: i64) -> Option<String> {
+    let (stem, rest) = name.split_once('[')?;
+    let number: i64 = rest.trim_end_matches(']').parse().ok()?;
+    (stem == "_OVR" && (4..8).contains(&number)).then(|| format!("{stem}[{}]", number + by))
+}
+
+/// Says that a difference is not that of setpoint and actual value.
+fn differs(set: Figure, actual: Figure, by: Figure) -> Option<Message> {
+    let fits = Figure { half: by.half + actual.half + set.half, ..by }.is(actual.value - set.value);
+    let say = || Message::new("protocol-contradicted").number("set", set.value).number("actual", actual.value);
+    (!fits).then(|| say().number("by", by.value))
+}
+
+/// Whether a figure has the mark of a value beyond its limits behind it (B:11439-11441).
+fn is_marked(field: &str) -> bool {
+    let behind = field.trim().chars().last();
+    Figure::of(field).is_some() && behind.is_some_and(|sign| !sign.is_alphanumeric() && !".,°".contains(sign))
 }
 
 fn part(value: f64) -> i64 {

@@ -80,7 +80,7 @@ pub struct ProtocolView {
     pub missing: usize,
     /// Lines that fit no call, in their order.
     pub unfit: Vec<ProtocolLine>,
-    /// Lines that were laid though their figures contradict each other, in their order.
+    /// Lines that were laid though something in them contradicts it, in their order.
     pub doubtful: Vec<ProtocolLine>,
     /// How the faces that were touched lie, in their order.
     pub arrows: Vec<Arrow>,
@@ -158,8 +158,7 @@ pub fn laid(
         return Err(Error::new("protocol-large", Path::default()).number("most", MOST as f64));
     }
     let first = lines.first().ok_or_else(|| refused("protocol-empty"))?;
-    let variants: Vec<i64> = outcome.called.iter().map(|called| called.inputs.variant).collect();
-    let lay = |columns: Option<(Columns, usize)>| Lay::of(&lines, columns.as_ref(), Fit::new(&calls, &variants));
+    let lay = |columns: Option<(Columns, usize)>| Lay::of(&lines, columns.as_ref(), Fit::new(&calls, &outcome.called));
     let (mut heads, mut recognised) = (first.fields.clone(), ProtocolColumns::default());
     let laid = match columns {
         Some(names) => lay(Some(Columns::of(names, &lines)?)),
@@ -177,7 +176,7 @@ pub fn laid(
             }
         }
     };
-    let Lay { quantities, fitted, unfit, doubtful } = laid;
+    let Lay { quantities, fitted, unfit, mut doubtful } = laid;
     let mut values: BTreeMap<usize, Values> = BTreeMap::new();
     for one in &quantities {
         if let Some(actual) = one.actual {
@@ -195,6 +194,8 @@ pub fn laid(
     let missing = calls.len() - values.len();
     let arrows = arrows::arrows(&values, outcome);
     let answers = answers(calls, &values, outcome);
+    doubtful.extend(quantities.into_iter().filter_map(|one| within(one, &answers)));
+    doubtful.sort_by_key(|one| (one.file, one.line));
     let about = RecordAbout::measured(setup);
     let counts = Message::new("protocol-ending").number("fitted", fitted as f64).number("unfit", unfit.len() as f64);
     let ending = counts.number("missing", missing as f64);
@@ -231,6 +232,15 @@ impl Lay {
         }
         Lay { quantities: fit.quantities, fitted, unfit, doubtful }
     }
+}
+
+/// A value that the machine marked as beyond a limit, and that is within its tolerance here.
+fn within(one: Quantity, answers: &[RunAnswer]) -> Option<ProtocolLine> {
+    let line = one.marked?;
+    let figure = answers[one.call].answer.figures.iter().find(|figure| figure.name == one.name)?;
+    let beyond = figure.limits.as_ref()?.used.is_none_or(|used| used > 1.0);
+    let why = Message::new("protocol-marked").number("actual", figure.actual);
+    (!beyond).then(|| ProtocolLine { file: line.file, line: line.number, text: printable(&line.text), why })
 }
 
 /// The answers with the values of the protocol in the place of those of the run.
@@ -273,7 +283,7 @@ impl Columns {
         let by_number = |name: &str| name.trim().parse::<usize>().ok().filter(|number| *number > 0);
         let place = |name: &str, line: &Line| {
             let same = |field: &String| field.eq_ignore_ascii_case(name.trim());
-            line.fields.iter().position(same).or_else(|| by_number(name).map(|number| number - 1))
+            by_number(name).map(|number| number - 1).or_else(|| line.fields.iter().position(same))
         };
         let holds = |line: &&Line| named.iter().all(|name| by_number(name).is_some() || place(name, line).is_some());
         let Some((at, head)) = lines.iter().take(HEAD).enumerate().find(|(_, line)| holds(line)) else {

@@ -248,9 +248,72 @@ fn a_line_that_contradicts_itself_is_told() {
     assert_eq!((view.fitted, view.unfit.len()), (2, 0));
     let told: Vec<(u32, &str)> = view.doubtful.iter().map(|one| (one.line, one.why.key.as_ref())).collect();
     assert_eq!(told, [(2, "protocol-contradicted")]);
-    for line in ["D, hole, 50.000, 50.050, 0.050", "D, hole, 50.000, 50.050", "D, hole, 50.000, 50.050, 50.100, 49.900"] {
+    for line in ["D, hole, 50.000, 50.050, 0.050", "D, hole, 50.000, 50.050", "D, hole, 50.000, 50.050, 55.100, 44.900"]
+    {
         assert_eq!(of(line).doubtful, [], "{line}");
     }
+}
+
+// oracle: hand: the program says what stands in which column of its log, whatever else the line could mean
+#[test]
+fn a_log_is_read_by_what_the_program_prints() {
+    for columns in [
+        "_TXT[0],_OVR[1],_OVR[2],_OVR[5],_OVR[6]",
+        "_OVR[6],_OVR[5],_OVR[0],_OVR[4]",
+        "_OVR[4],_OVR[5],_TIME,_OVR[6],_OVR[17]",
+    ] {
+        let text =
+            PROGRAM.replace("_PROTFORM[4]=3", "_PROTFORM[4]=1").replace("D,hole,_OVR[0],_OVR[4],_OVR[16]", columns);
+        let text =
+            text.replace("_PROTNAME[0]", "_HEADLINE[0]=\"Order 4711, part 12, 3 of 5\" _PROTFORM[3]=1 _PROTNAME[0]");
+        let at = |off: [f64; 2]| {
+            let mut setup = machine(0.06, off);
+            for solid in &mut setup.workpiece.solids {
+                let [x, y, z] = solid.at.0;
+                solid.at = Mcs([x + 130.0, y + 130.0, z]);
+            }
+            setup
+        };
+        let text = text.replace("G0 X0 Y0", "G0 X130 Y130");
+        let done = |setup: &Setup| {
+            let program = syntax::read(Dialect::Sinumerik, text.as_bytes());
+            Session::new(program, setup, Limits::default()).complete()
+        };
+        let (real, nominal) = (at([0.011, -0.007]), at([0.0; 2]));
+        let outcome = done(&real);
+        let (_, log) = outcome.files.iter().next().unwrap();
+        let view = laid(&[log.join("\n")], None, &nominal, &done(&nominal)).unwrap();
+        let of = |name: &str| {
+            let figures = view.answers.iter().flat_map(|call| &call.answer.figures);
+            figures.filter(|one| one.name == name).map(|one| (one.actual * 1e3).round() / 1e3).collect::<Vec<_>>()
+        };
+        let measured = |name: &str, value: f64| if columns.contains(name) { vec![value; 3] } else { Vec::new() };
+        for (name, value) in [("_OVR[4]", 50.06), ("_OVR[5]", 130.011), ("_OVR[6]", 129.993)] {
+            assert_eq!(of(name), measured(name, value), "{columns}: {name}\n{}", log.join("\n"));
+        }
+        assert_eq!(view.missing, 0);
+    }
+}
+
+// oracle: manual B:11439-11441 (the mark says that a limit is exceeded), hand
+#[test]
+fn a_mark_that_the_tolerance_does_not_have_is_told() {
+    let of = |line: &str| onto_nominal(&format!("CYCLE977, _MVAR, 1\n{line}\n"), None).unwrap();
+    let keys = |view: &ProtocolView| view.doubtful.iter().map(|one| one.why.key.to_string()).collect::<Vec<_>>();
+    assert_eq!(keys(&of("D, hole, 50.000, 50.050*, 0.050*")), ["protocol-marked"]);
+    for fine in ["D, hole, 50.000, 50.050, 0.050", "D, hole, 50.000, 50.150*, 0.150*"] {
+        assert_eq!(keys(&of(fine)), [""; 0], "{fine}");
+    }
+}
+
+// oracle: hand: a chosen column leaves a value at the call of its heading
+#[test]
+fn chosen_columns_go_with_the_headings_of_the_log() {
+    let text = "CYCLE977 ; _MVAR ; 1\n50.01\nCYCLE977 ; _MVAR ; 1\n50.02\n";
+    let view = onto_nominal(text, Some(&columns(&[("actual", "1")]))).unwrap();
+    let sizes: Vec<f64> =
+        view.answers.iter().map(|call| call.answer.figures.first().map_or(0.0, |one| one.actual)).collect();
+    assert_eq!(sizes, [50.01, 50.02, 0.0], "{:?}", view.unfit);
 }
 
 // oracle: hand: it comes to its end

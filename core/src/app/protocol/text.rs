@@ -53,6 +53,9 @@ pub fn lines(file: usize, text: &str, units: Units) -> Vec<Line> {
 /// What parts the fields, none: blanks. The sign at which most lines have several figures; where no line has, that of
 /// more than half of the lines, a comma of any line.
 fn parted(text: &str) -> Option<char> {
+    if let Some(own) = text.lines().find_map(of_heading) {
+        return own;
+    }
     let lines = || text.lines().filter(|line| line.contains(char::is_alphanumeric)).take(LOOKED_AT);
     let several = |sign: Option<char>| {
         let figures = |line: &&str| fields(line, sign).iter().filter_map(|field| Figure::of(field)).count();
@@ -67,6 +70,18 @@ fn parted(text: &str) -> Option<char> {
         let with = lines().filter(|line| line.contains(*sign)).count();
         2 * with > lines().count() || (*sign == ',' && with > 0)
     })
+}
+
+/// What parts the fields of a log of the control: it stands between cycle, `_MVAR` and its number (B:11486-11512). Other
+/// lines have what their programmer wrote.
+fn of_heading(line: &str) -> Option<Option<char>> {
+    let (before, behind) = line.split_once("_MVAR")?;
+    let (before, behind) = (before.trim_end(), behind.trim_start());
+    let sign = behind.chars().next().filter(|sign| !sign.is_alphanumeric());
+    let number = behind.strip_prefix(sign.unwrap_or(' ')).unwrap_or(behind).trim();
+    let name = before.strip_suffix(sign.unwrap_or(' ')).or_else(|| sign.is_none().then_some(before))?.trim();
+    let fits = number.parse::<i64>().is_ok() && !name.is_empty() && name.chars().all(char::is_alphanumeric);
+    fits.then_some(sign)
 }
 
 /// The quantities of such a log, which says the unit of its lengths.

@@ -3,6 +3,7 @@
 use crate::file;
 use crate::file::Problem;
 use crate::record;
+use crate::run::{changed, with_unit};
 use probewright_core::app::{self, Change, JogAhead, JogLine, JogResult, JogView, JogWrong, Raised, Record};
 use probewright_core::control::{AXES, Control, OLDER_JOG, delivery};
 use probewright_core::dialect::Dialect;
@@ -150,9 +151,7 @@ fn lines(line: &JogLine, words: &Words) -> Vec<String> {
         let (label, value) = shown(result, words);
         format!("{label} = {value}")
     }));
-    for change in &line.changes {
-        told.push(format!("{}: {} -> {}", change.name, rounded(change.before), rounded(change.after)));
-    }
+    told.extend(line.changes.iter().map(changed));
     told.extend(line.notes.iter().chain(&line.screen).map(|message| words.text(message)));
     if let Some(raised) = &line.raised {
         let code = Message::new("terminal-raised").text("alarm", &raised.code);
@@ -194,8 +193,8 @@ fn told_ahead(ahead: Option<&JogAhead>, words: &Words) -> Vec<String> {
         let (label, value) = shown(result, words);
         Message::new("jog-ahead-show").text("label", label).text("value", value)
     }));
-    told.extend(ahead.changes.iter().map(|Change { name, before, after, .. }| {
-        let [before, after] = [*before, *after].map(|value| rounded(value).to_string());
+    told.extend(ahead.changes.iter().map(|Change { name, before, after, unit, .. }| {
+        let [before, after] = [rounded(*before).to_string(), with_unit(*after, unit)];
         Message::new("jog-ahead-write").text("label", name).text("before", before).text("after", after)
     }));
     if !ahead.results.is_empty() && ahead.changes.is_empty() {

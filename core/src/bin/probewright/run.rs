@@ -8,7 +8,7 @@ use crate::protocol::Protocol;
 use crate::read::{user_programs, ways};
 use crate::stream::Stream;
 use crate::{document, file, log, protocol, record, scan};
-use probewright_core::app::{Record, ResultScreen, RunAssumed, RunView, ScreenUntil};
+use probewright_core::app::{Change, Record, ResultScreen, RunAssumed, RunView, ScreenUntil, changes};
 use probewright_core::catalogue::alarms;
 use probewright_core::control::Value;
 use probewright_core::diagnostic::{Diagnostic, Severity};
@@ -348,10 +348,8 @@ fn print_outcome(joined: &Joined, outcome: &Outcome, words: &Words, out: &mut dy
     for line in outcome.log() {
         writeln!(out, "{}: {}", words.key("terminal-log"), printable(line))?;
     }
-    for change in outcome.changes() {
-        let (before, after) = (rounded(change.before), rounded(change.after));
-        let name = outcome.control.setting_of(&change.name).unwrap_or(change.name);
-        writeln!(out, "{name}: {before} -> {after}")?;
+    for change in changes(outcome) {
+        writeln!(out, "{}", changed(&change))?;
     }
     for (alarm, call) in outcome.alarms().into_iter().zip(outcome.calls_of_alarms()) {
         let raised = words.text(&Message::new("terminal-raised").text("alarm", alarm.to_string()));
@@ -383,6 +381,20 @@ fn place(joined: &Joined, call: Option<CallAt>) -> String {
 }
 
 /// What each call measured: its results that have a unit.
+/// What is different afterwards, with its unit: that of the basic system, which the program need not have.
+pub fn changed(change: &Change) -> String {
+    format!("{}: {} -> {}", change.name, rounded(change.before), with_unit(change.after, change.unit))
+}
+
+/// As a person reads it.
+pub fn with_unit(value: f64, unit: &str) -> String {
+    match unit {
+        "" => rounded(value).to_string(),
+        "deg" => format!("{}°", rounded(value)),
+        _ => format!("{} {unit}", rounded(value)),
+    }
+}
+
 fn print_results(joined: &Joined, outcome: &Outcome, words: &Words, out: &mut dyn Write) -> std::io::Result<()> {
     for left in outcome.left() {
         let measured = left.results.iter().filter(|(field, _)| field.unit != Unit::None);

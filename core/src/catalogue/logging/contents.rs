@@ -100,6 +100,9 @@ fn announce(machine: &mut dyn Machine, number: u32) {
     machine.record(Step::Alarm(Code::Alarm(number)));
 }
 
+/// What [`layout`] tells of a block of values, line by line.
+pub type Layout = Vec<Vec<Option<String>>>;
+
 /// Lines of a block of values.
 pub fn block(machine: &mut dyn Machine, subject: &Subject) -> Result<Vec<String>, Stop> {
     judge(machine)?;
@@ -122,6 +125,14 @@ pub fn block(machine: &mut dyn Machine, subject: &Subject) -> Result<Vec<String>
         lines.push(values(machine, line, &columns, &separator, subject, &time)?);
     }
     Ok(lines)
+}
+
+/// The numbers that the columns of each line of a block of values show, by their names; none: something else.
+pub fn layout(control: &Control) -> Layout {
+    let count = number(control, VALUE_LINES).max(0.0) as usize;
+    let specified = VALUES.into_iter().take(count).map(|name| text(control, name)).filter(|line| !line.is_empty());
+    let shown = |field| if let Field::Number(name) = field { Some(name.to_ascii_uppercase()) } else { None };
+    specified.map(|line| fields(line).map(shown).collect()).collect()
 }
 
 /// A line of values in their columns.

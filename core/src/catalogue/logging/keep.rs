@@ -1,5 +1,5 @@
 //! What CYCLE106 does: it deletes old files, writes header and blocks of values, begins pages and files that follow
-//! (B:11194-11200, B:11253, B:11435).
+//! (B:11194-11200, B:11253, B:11435). Where the machine does not report, none of it is done.
 
 use super::contents::{Subject, block, first_page, header};
 use super::names::{FILE, PAGE};
@@ -21,6 +21,9 @@ const BETWEEN: usize = 2;
 
 /// Switched on: the log is made anew, with its header (B:11229).
 pub fn open(machine: &mut dyn Machine) -> Result<(), Stop> {
+    if !machine.reports() {
+        return Ok(());
+    }
     let name = name(machine)?;
     let mut state = begun(machine, name);
     print_header(machine, &mut state);
@@ -30,6 +33,9 @@ pub fn open(machine: &mut dyn Machine) -> Result<(), Stop> {
 
 /// A header where the program wants one (CYCLE106(1)).
 pub fn write_header(machine: &mut dyn Machine) -> Result<(), Stop> {
+    if !machine.reports() {
+        return Ok(());
+    }
     let mut state = current(machine)?;
     print_header(machine, &mut state);
     state.keep(machine.control());
@@ -38,6 +44,9 @@ pub fn write_header(machine: &mut dyn Machine) -> Result<(), Stop> {
 
 /// A block of values; on a new page and below a header where one is due.
 pub fn write_values(machine: &mut dyn Machine, subject: &Subject) -> Result<(), Stop> {
+    if !machine.reports() {
+        return Ok(());
+    }
     let mut state = current(machine)?;
     let lines = block(machine, subject)?;
     let page = machine.control().number(PAGE.as_str());
@@ -51,6 +60,9 @@ pub fn write_values(machine: &mut dyn Machine, subject: &Subject) -> Result<(), 
 
 /// Contents alone (CYCLE105), for the log that was begun last; where none was, they are printed nowhere.
 pub fn write_contents(machine: &mut dyn Machine, subject: Option<&Subject>) -> Result<(), Stop> {
+    if !machine.reports() {
+        return Ok(());
+    }
     let lines = subject.map(|subject| block(machine, subject)).transpose()?;
     let mut state = State::of(machine.control());
     if !begun_here(machine, &state) {

@@ -24,6 +24,7 @@ pub(super) const fn field(name: &'static str, kind: Kind, preset: &'static str) 
 }
 
 pub(super) const RESULT: Field = field("result", Kind::Result, "");
+pub(super) const DEVIATION: Field = field("result", Kind::Deviation, "");
 pub(super) const LIMIT: Field = field("limit", Kind::Limit, "0.02");
 pub(super) const REWORK: Field = field("program", Kind::Program, "");
 
@@ -67,7 +68,7 @@ pub(super) const BLOCKS: &[Block] = &[
     },
     Block {
         name: "stop",
-        fields: &[RESULT, LIMIT, field("text", Kind::Text, "around-text-stop")],
+        fields: &[DEVIATION, LIMIT, field("text", Kind::Text, "around-text-stop")],
         suits: &[Suits::Results],
         before: &[],
         after: &[
@@ -79,7 +80,7 @@ pub(super) const BLOCKS: &[Block] = &[
     },
     Block {
         name: "message",
-        fields: &[RESULT, LIMIT, field("text", Kind::Text, "around-text-stop")],
+        fields: &[DEVIATION, LIMIT, field("text", Kind::Text, "around-text-stop")],
         suits: &[Suits::Results],
         before: &[],
         after: &[
@@ -91,7 +92,7 @@ pub(super) const BLOCKS: &[Block] = &[
     Block {
         name: "alarm",
         fields: &[
-            RESULT,
+            DEVIATION,
             LIMIT,
             field("number", Kind::Whole(ALARMS), "65000"),
             field("text", Kind::Text, "around-text-stop"),
@@ -106,7 +107,7 @@ pub(super) const BLOCKS: &[Block] = &[
     },
     Block {
         name: "jump",
-        fields: &[RESULT, LIMIT, field("target", Kind::Target, "")],
+        fields: &[DEVIATION, LIMIT, field("target", Kind::Target, "")],
         suits: &[Suits::Results],
         before: &[],
         after: &[line("IF ABS({result})>{limit} GOTOF {target}", "around-say-jump")],
@@ -121,7 +122,7 @@ pub(super) const BLOCKS: &[Block] = &[
     Block {
         name: "rework",
         fields: &[
-            RESULT,
+            DEVIATION,
             LIMIT,
             field("side", Kind::Side, ""),
             field("passes", Kind::Whole(PASSES), "3"),
@@ -146,7 +147,7 @@ pub(super) const BLOCKS: &[Block] = &[
     Block {
         name: "breakage",
         fields: &[
-            RESULT,
+            DEVIATION,
             field("limit", Kind::Limit, "0.5"),
             field("program", Kind::Program, ""),
             field("text", Kind::Text, "around-text-breakage"),
@@ -172,7 +173,7 @@ pub(super) const BLOCKS: &[Block] = &[
             field("times", Kind::Whole(Range::closed(2.0, 20.0)), "4"),
             field("variable", Kind::Variable(PARAMETERS), "30"),
         ],
-        suits: &[Suits::Workpiece, Suits::Results, Suits::Uncorrected, Suits::Turned],
+        suits: &[Suits::Workpiece, Suits::Results, Suits::Uncorrected, Suits::Turned, Suits::Returns],
         before: &[
             line("R{a}=0", "around-say-count"),
             line("R{variable}=0", ""),

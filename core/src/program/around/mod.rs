@@ -19,7 +19,7 @@ pub use write::{Lines, Words, write};
 
 use crate::control::MachineSort;
 use crate::dialect::Dialect;
-use crate::entry::{Corrects, Inputs, ProbeUse, ResultField, Unit, names};
+use crate::entry::{Corrects, Element, Inputs, ProbeUse, ResultField, Unit, names};
 use crate::range::Range;
 
 /// A block around a call.
@@ -60,6 +60,8 @@ pub struct Field {
 pub enum Kind {
     /// A result of the call that a program can read.
     Result,
+    /// One that is held against a limit: where the call has no difference, nothing stands for it by itself.
+    Deviation,
     /// A number in the unit of that result.
     Limit,
     /// A whole number.
@@ -95,6 +97,8 @@ pub enum Suits {
     Uncorrected,
     /// It may be made with the spindle turned: a probe in a spindle that no variant orients by itself.
     Turned,
+    /// The straight way from its end to its beginning does not lead through the part.
+    Returns,
     /// It names a work offset, in which its deviation can be read (NCT).
     Offset,
 }
@@ -165,6 +169,12 @@ impl Suits {
                 let differential = inputs.variant / 1000 % 10 == 1;
                 milling && !mono && !differential
             }
+            // a shaft or a web about a given centre: it ends in front of its last point (B:6898-6905, B:6939)
+            Suits::Returns => {
+                let element = inputs.cycle.aim(inputs).map(|aim| aim.element);
+                let around = matches!(element, Some(Element::Shaft | Element::Web));
+                !(around && inputs.cycle.param(names::CPA.as_str()).is_some())
+            }
             Suits::Offset => pattern::offset(inputs).is_some(),
         }
     }
@@ -186,7 +196,12 @@ pub fn results(inputs: &Inputs) -> Vec<&'static ResultField> {
     }
     let measured = |field: &&ResultField| field.unit != Unit::None && field.when.holds(inputs);
     let mut found: Vec<&ResultField> = inputs.cycle.results.iter().filter(measured).collect();
-    found.sort_by_key(|field| !field.key.contains("difference"));
+    found.sort_by_key(|field| !is_difference(field));
     found.extend(inputs.cycle.alarm_result().filter(|field| field.when.holds(inputs)));
     found
+}
+
+/// Whether a result says how far something is from its setpoint.
+pub fn is_difference(field: &ResultField) -> bool {
+    field.key.contains("difference")
 }

@@ -3,10 +3,12 @@
 use super::pattern::{Bound, matches};
 use super::values::problem;
 use super::{Block, Field, Kind, Line, blocks};
+use crate::diagnostic::Span;
 use crate::entry::{Inputs, Typed};
 use crate::program::calls::CallSite;
 use crate::program::own_words::sets_bits;
 use crate::syntax::Program;
+use std::collections::BTreeSet;
 
 /// A block that stands around a call.
 pub struct Found {
@@ -28,10 +30,27 @@ impl Found {
     }
 }
 
-/// The blocks around a call, the innermost first.
+/// The blocks around a call, the innermost first: around all lines of its values, else around those next to it.
 pub fn found(program: &Program, site: &CallSite, inputs: &Inputs) -> Vec<Found> {
+    let all = around(program, site, inputs, site.first_line as usize);
+    if all.is_empty() { around(program, site, inputs, next_to(program, site)) } else { all }
+}
+
+/// First of the lines just above a call that give it values: others may stand further above, before a block.
+fn next_to(program: &Program, site: &CallSite) -> usize {
+    let line = |place: &Span| program.line_of(place.start) as usize;
+    let own: BTreeSet<usize> = site.places.values().filter(|place| place.start >= site.own_from).map(line).collect();
+    let mut top = site.line as usize;
+    while top > site.first_line as usize && (own.contains(&(top - 1)) || passed(program, top - 1)) {
+        top -= 1;
+    }
+    top
+}
+
+/// The blocks around the lines from `top` to the call.
+fn around(program: &Program, site: &CallSite, inputs: &Inputs, mut top: usize) -> Vec<Found> {
     let mut all: Vec<Found> = Vec::new();
-    let (mut top, mut bottom) = (site.first_line as usize, site.line as usize);
+    let mut bottom = site.line as usize;
     let left = |all: &[Found], block: &Block| !all.iter().any(|found| found.block.name == block.name);
     loop {
         let inner = blocks(program.dialect).iter().rev().filter(|block| left(&all, block));

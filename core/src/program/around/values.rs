@@ -1,9 +1,9 @@
 //! The values of a block: what a field has where nothing is entered, what it offers, what is wrong with it.
 
-use super::{Block, Field, Kind, results};
+use super::{Block, Field, Kind, is_difference, results};
 use crate::check::{Parsed, parse};
 use crate::dialect::Dialect;
-use crate::entry::{Element, Inputs, Typed, names};
+use crate::entry::{Element, Inputs, ResultField, Typed, names};
 use crate::message::Message;
 use crate::program::of_control::is_of_control;
 use crate::range::Range;
@@ -20,11 +20,16 @@ const NUMBERS: Range = Range::closed(1.0, 9999.0);
 /// What a field has where nothing is entered; a text: the key of it.
 pub fn preset(field: &Field, inputs: &Inputs) -> String {
     match field.kind {
-        Kind::Result => results(inputs).first().map_or_else(String::new, |field| field.name.to_owned()),
+        Kind::Result => named(results(inputs).first()),
+        Kind::Deviation => named(results(inputs).first().filter(|field| is_difference(field))),
         Kind::Side => side(inputs).to_owned(),
         Kind::Limit => limit(field, inputs),
         _ => field.preset.to_owned(),
     }
+}
+
+fn named(field: Option<&&'static ResultField>) -> String {
+    field.map_or_else(String::new, |field| field.name.to_owned())
 }
 
 /// Half of the tolerance that the call gives, as deviations count from its middle (B:2203-2211), else what the field
@@ -62,7 +67,7 @@ fn side(inputs: &Inputs) -> &'static str {
 /// What a field offers: values with the key of the name of each; empty: anything can be entered.
 pub fn choices(field: &Field, inputs: &Inputs) -> Vec<(&'static str, &'static str)> {
     match field.kind {
-        Kind::Result => results(inputs).into_iter().map(|field| (field.name, field.key)).collect(),
+        Kind::Result | Kind::Deviation => results(inputs).into_iter().map(|field| (field.name, field.key)).collect(),
         Kind::Side => vec![("<", "around-side-small"), (">", "around-side-large")],
         _ => Vec::new(),
     }
@@ -83,7 +88,7 @@ pub(super) fn value(field: &Field, typed: &Typed, inputs: &Inputs, words: &dyn F
 fn plain(kind: &Kind, entered: &str) -> String {
     match (kind, parse(entered)) {
         (Kind::Limit | Kind::Whole(_) | Kind::Variable(_), Parsed::Number(number)) => format!("{number}"),
-        (Kind::Program | Kind::Target | Kind::Result, _) => entered.to_ascii_uppercase(),
+        (Kind::Program | Kind::Target | Kind::Result | Kind::Deviation, _) => entered.to_ascii_uppercase(),
         _ => entered.to_owned(),
     }
 }
@@ -109,7 +114,7 @@ pub fn problem(block: &Block, field: &Field, typed: &Typed, inputs: &Inputs) -> 
     }
     let nct = inputs.cycle.dialect == Dialect::Nct;
     match &field.kind {
-        Kind::Result | Kind::Side => {
+        Kind::Result | Kind::Deviation | Kind::Side => {
             let known = choices(field, inputs).iter().any(|(choice, _)| *choice == value);
             if known { None } else { about("around-wrong-choice") }
         }
