@@ -307,7 +307,9 @@ fn deviation(case: &Case, plain: &Outcome) -> f64 {
 
 /// The first call of SINUMERIK at which material may be left.
 fn reworked() -> Case {
-    let suits = |case: &Case| asked(case, "", None, None).blocks.iter().any(|block| block.name == "rework");
+    let preset = |block: &AroundBlock| block.fields.iter().all(|one| one.name != "result" || !one.preset.is_empty());
+    let suits =
+        |case: &Case| asked(case, "", None, None).blocks.iter().any(|block| block.name == "rework" && preset(block));
     cases(Dialect::Sinumerik).into_iter().find(suits).unwrap()
 }
 
