@@ -10,7 +10,7 @@ use crate::dialect::Dialect;
 use crate::entry::{Typed, names};
 use crate::message::Message;
 use crate::name::Name;
-use crate::program::r_parameters::{Answers, Assigned, Call, Older, edits as of_program, find, findings};
+use crate::program::r_parameters::{Answers, Assigned, Call, Older, edits as of_program, find, findings, reasons};
 use crate::refused::Path;
 use crate::syntax::position::Positions;
 use crate::syntax::programs::programs;
@@ -83,6 +83,7 @@ pub fn older(asked: OlderRequest) -> Result<OlderView, Error> {
     let positions = Positions::new(&program.source);
     let mut found = Vec::new();
     findings(&program, &programs, &older, &mut found);
+    found.extend(reasons(&program, &older));
     found.sort_by_key(|one| one.span.map_or(0, |span| span.start));
     Ok(OlderView {
         calls: older.calls.iter().map(|call| told(&program, &older, call)).collect(),

@@ -7,7 +7,7 @@ use probewright_core::dialect::Dialect;
 use probewright_core::json;
 use probewright_core::message::Message;
 use probewright_core::program::change::apply;
-use probewright_core::program::r_parameters::{Answers, edits, find, findings};
+use probewright_core::program::r_parameters::{Answers, edits, find, findings, reasons};
 use probewright_core::syntax::programs::programs;
 use probewright_core::syntax::{Program, read};
 use probewright_core::words::Words;
@@ -65,6 +65,7 @@ fn converted(asked: &Arguments, answers: &Answers, words: &Words, out: &mut dyn 
     let older = find(&program, &programs, answers);
     let mut found = Vec::new();
     findings(&program, &programs, &older, &mut found);
+    found.extend(reasons(&program, &older));
     let edits = edits(&program, &older);
     if !edits.is_empty() {
         found.retain(|one| one.span.is_none_or(|span| older.calls.iter().all(|call| call.name != span)));

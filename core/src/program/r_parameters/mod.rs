@@ -11,7 +11,7 @@ mod tests;
 mod walk;
 
 pub use edits::edits;
-pub use findings::{findings, is_of_call};
+pub use findings::{findings, is_of_call, reasons};
 
 use crate::catalogue::r_parameters::{Called, SETPOINTS, VARIANT};
 use crate::diagnostic::Span;
@@ -36,6 +36,8 @@ pub struct Older {
     pub results: Vec<(u16, Span)>,
     /// Where the program gives an R parameter a value that cannot be followed.
     pub unclear: Option<Span>,
+    /// Words that could not be read: they may assign R parameters of a call, or read them.
+    pub unread: Vec<Span>,
     /// Where a call would read the value of another call.
     pub clashes: Vec<Clash>,
     /// What was answered.
@@ -170,8 +172,8 @@ fn meant(program: &Program, older: &Older, call: &Call, variants: &[Called]) -> 
 impl Older {
     /// Whether every assignment is known to be one parameter, or none, and every call would get its own values.
     pub fn is_clear(&self) -> bool {
-        let told = self.unclear.is_none() && self.clashes.is_empty();
-        told && self.assigned.iter().all(|one| one.open.is_empty())
+        let followed = self.unclear.is_none() && self.unread.is_empty();
+        followed && self.clashes.is_empty() && self.assigned.iter().all(|one| one.open.is_empty())
     }
 }
 

@@ -26,6 +26,8 @@ struct Holds {
     measured: bool,
     /// What was assigned since.
     fresh: BTreeSet<u16>,
+    /// A word on the way that could not be read: it may assign anything.
+    unread: Option<Span>,
 }
 
 impl Meet for Holds {
@@ -33,6 +35,7 @@ impl Meet for Holds {
         let mut met = self.clone();
         met.more |= other.more;
         met.measured |= other.measured;
+        met.unread = met.unread.or(other.unread);
         met.fresh.extend(&other.fresh);
         for (number, places) in &other.given {
             let known = met.given.entry(*number).or_default();
@@ -64,6 +67,8 @@ struct Walk<'a> {
     /// Results that a word reads, by its first byte and their number.
     results: BTreeMap<(u32, u16), (u16, Span)>,
     unclear: Option<Span>,
+    /// Words that could not be read, by their first byte.
+    unread: BTreeMap<u32, Span>,
 }
 
 /// The measuring calls with what comes to them; what it means is open still.
@@ -84,6 +89,7 @@ pub(super) fn walk(program: &Program, programs: &Programs) -> Older {
         read: BTreeSet::new(),
         results: BTreeMap::new(),
         unclear: None,
+        unread: BTreeMap::new(),
     };
     follow(program, programs, &mut walk);
     walk.found()
@@ -101,6 +107,7 @@ impl Walk<'_> {
         let at = |place: &u32| assigned.binary_search_by_key(place, |one| one.word.start).ok();
         let mut older = Older { results: self.results.into_values().collect(), ..Older::default() };
         older.unclear = self.unclear;
+        older.unread = self.unread.into_values().collect();
         for met in self.met.into_values() {
             let given = met.given.iter().map(|(number, places)| (*number, places.iter().filter_map(at).collect()));
             let (names, reads) = (BTreeMap::new(), BTreeSet::new());
@@ -172,12 +179,39 @@ impl Walk<'_> {
             return;
         }
         let single = matches!(spread(self.program, *value), Spread::One) && !counts;
-        if !single || self.program.is_of_macro(word.span) || self.program.placed(word.span) != word.span {
+        if !single || self.program.is_of_macro(word.span) || self.is_elsewhere(*name) {
             self.unclear = self.unclear.or(Some(word.span));
             return;
         }
         state.given.insert(written, BTreeSet::from([word.span.start]));
     }
+
+    /// Whether a macro says a name: there is no place for another one.
+    fn is_elsewhere(&self, name: Span) -> bool {
+        self.program.placed(name) != name
+    }
+
+    /// A block with a word that could not be read: where it has to do with R parameters, it may read what was assigned,
+    /// and assign what comes to a call.
+    fn unread(&mut self, state: &mut Holds, words: &[Word]) {
+        let Some(word) = words.iter().find(|word| word.kind == WordKind::Unknown) else { return };
+        let whole = words.first().zip(words.last()).map(|(first, last)| Span { end: last.span.end, ..first.span });
+        let unknown = words.iter().filter(|word| word.kind == WordKind::Unknown).map(|word| self.program.said(word));
+        let mut texts = whole.map(|whole| self.program.name(whole)).into_iter().chain(unknown);
+        if !texts.any(|text| has_parameter(&text)) {
+            return;
+        }
+        state.unread = state.unread.or(Some(word.span));
+        if !state.given.is_empty() {
+            self.unread.insert(word.span.start, word.span);
+        }
+    }
+}
+
+/// Whether a text in upper case may name an R parameter: `R32`, `R[5]`, or an `@` command, which takes any.
+fn has_parameter(text: &str) -> bool {
+    let begins = |part: &str| part.trim_start().starts_with(|next: char| next.is_ascii_digit() || next == '[');
+    text.contains('@') || text.split('R').skip(1).any(begins)
 }
 
 /// `R23` for `R23=…` and `R[23]=…`; none: the number is not known.
@@ -191,6 +225,7 @@ impl Follow for Walk<'_> {
 
     fn block(&mut self, state: &mut Holds, words: &[Word]) {
         let counts = words.iter().any(|word| self.program.is_keyword(word, &["FOR"]));
+        self.unread(state, words);
         for word in words {
             self.reads(state, word);
             self.writes(state, word, counts);
@@ -199,9 +234,10 @@ impl Follow for Walk<'_> {
 
     fn call(&mut self, state: &mut Holds, word: &Word) {
         let Some((cycle, name)) = self.candidates.get(&word.span.start).copied().zip(word.called()) else { return };
-        if state.more || self.program.is_of_macro(word.span) {
-            self.unclear = self.unclear.or(Some(name));
+        if state.more || self.program.is_of_macro(word.span) || self.is_elsewhere(name) {
+            self.unclear = self.unclear.or(Some(self.program.placed(name)));
         }
+        self.unread.extend(state.unread.map(|place| (place.start, place)));
         (state.measured, state.fresh) = (true, BTreeSet::new());
         let new = || Met { cycle, word: word.span, name, given: BTreeMap::new() };
         let met = self.met.entry(word.span.start).or_insert_with(new);
