@@ -31,9 +31,11 @@ pub struct Arguments {
 /// Writes the program with the names of today, byte for byte what it was elsewhere; or tells what each R parameter
 /// means. 1 where a question is open, or nothing is to be converted.
 pub fn older(asked: &Arguments, words: &Words, out: &mut dyn Write) -> Result<ExitCode, Problem> {
-    let given = asked.answers.iter().map(|text| pair(text)).collect::<Result<BTreeMap<_, _>, _>>()?;
-    let answers = app::answers(&given).map_err(|refused| wrong(refused.message))?;
+    let given = asked.answers.iter().map(|text| pair(text)).collect::<Result<Vec<_>, _>>()?;
+    let answers =
+        app::answers(given.iter().map(|(name, value)| (name, value))).map_err(|refused| wrong(refused.message))?;
     let text = String::from_utf8_lossy(&file::program(&asked.file)?).into_owned();
+    let given: BTreeMap<String, String> = given.into_iter().collect();
     let view = app::older(OlderRequest { text: text.into(), answers: given });
     let view = view.map_err(|refused| wrong_file(&asked.file, refused.message))?;
     if asked.json {

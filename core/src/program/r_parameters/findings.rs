@@ -34,7 +34,14 @@ pub fn findings(program: &Program, programs: &Programs, older: &Older, found: &m
         });
         found.extend(missing(program, older, call));
     }
+    found.extend(older.newer.iter().map(|(name, cycle)| {
+        own::OLDER_NEW.finding().text("word", program.name(*name)).text("cycle", cycle.name).on(*name)
+    }));
+    found.extend(idle(older));
     for one in &older.assigned {
+        if one.names.len() > 1 && one.open.is_empty() {
+            found.push(both(program, older, one));
+        }
         if one.number == FACTOR && !one.names.is_empty() {
             found.push(own::OLDER_FACTOR.finding().text("text", one.text(program)).on(one.word));
         }
@@ -65,6 +72,19 @@ pub fn findings(program: &Program, programs: &Programs, older: &Older, found: &m
     if let Some(place) = older.unclear {
         found.push(own::OLDER_UNCLEAR.finding().text("text", program.written(place)).on(place));
     }
+}
+
+/// Answers to which there is no question.
+fn idle(older: &Older) -> impl Iterator<Item = Diagnostic> {
+    let idle = older.answers.iter().filter(|(number, _)| !older.answered.contains(number));
+    idle.map(|(number, name)| own::OLDER_IDLE.finding().text("text", format!("R{number}={name}")))
+}
+
+/// That an assignment gets several names, since its calls take it as different parameters.
+fn both(program: &Program, older: &Older, one: &Assigned) -> Diagnostic {
+    let names: Vec<&str> = one.names.iter().map(|name| name.as_str()).collect();
+    let finding = own::OLDER_BOTH.finding().text("text", one.text(program)).text("cycles", cycles(older, one));
+    finding.text("names", names.join(", ")).on(one.word)
 }
 
 /// Why words could not be read, for those to whom the errors of the program are not told anyway.

@@ -38,10 +38,14 @@ pub struct Older {
     pub unclear: Option<Span>,
     /// Words that could not be read: they may assign R parameters of a call, or read them.
     pub unread: Vec<Span>,
+    /// Calls with the number of a cycle that no 840C had, to which a variant comes: name in the call, and the cycle.
+    pub newer: Vec<(Span, &'static Cycle)>,
     /// Where a call would read the value of another call.
     pub clashes: Vec<Clash>,
     /// What was answered.
     answers: Answers,
+    /// R parameters for which an answer counted.
+    answered: BTreeSet<u16>,
 }
 
 /// A parameter that would come to a call with the value that another call means by it.
@@ -102,6 +106,7 @@ pub fn find(program: &Program, programs: &Programs, answers: &Answers) -> Older 
         for (number, places) in &call.given {
             let Some(meant) = meant.get(number) else { continue };
             let (names, open) = meant.with(*number, answers);
+            older.answered.extend((meant.open && !open).then_some(*number));
             for at in places {
                 let Some(assigned) = older.assigned.get_mut(*at) else { continue };
                 if open { &mut assigned.open } else { &mut assigned.names }.extend(&names);

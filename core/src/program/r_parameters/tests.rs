@@ -213,7 +213,7 @@ fn an_answer_and_its_cure_say_the_same() {
 // oracle: hand (a subprogram of the user has the number of a cycle; no variant comes; values that cannot be followed)
 #[test]
 fn what_is_no_measuring_call_stays() {
-    for text in ["L977\n", "R23=1\nL997\n", "R23=1\nL100\n", "R23=1\nL977\nM30\n%_N_L977_SPF\nG0 X1\nM17\n"] {
+    for text in ["L977\n", "L997\n", "R23=1\nL100\n", "R23=1\nL977\nM30\n%_N_L977_SPF\nG0 X1\nM17\n"] {
         assert!(told(text).is_empty() && converted(text, &[]).is_empty(), "{text}");
     }
     for text in ["R23=1 R[R5]=3\nL977\n", "FOR R32=1 TO 3\nR23=100\nL978\nENDFOR\n"] {
@@ -274,10 +274,7 @@ fn a_block_number_stays_where_the_assignment_goes() {
 #[test]
 fn names_do_not_stick_to_what_is_beside_them() {
     for (older, today) in [
-        (
-            "N10R23=100R30=1R32=80R22=1\nN20L978\n",
-            "N10 _MVAR=100 _MA=1 _SETVAL=80 _PRNUM=1\nN20 CYCLE978\n",
-        ),
+        ("N10R23=100R30=1R32=80R22=1\nN20L978\n", "N10 _MVAR=100 _MA=1 _SETVAL=80 _PRNUM=1\nN20 CYCLE978\n"),
         ("R23=100R32=80R28=4R36=R2\nL978P2\n", "_MVAR=100 _SETVAL=80 _FA=4 _TSA=R2\nCYCLE978 P2\n"),
         // what goes leaves no number beside a name
         ("N10R31=0R23=100R42=5 R32=80\nN20R19=1 L978\n", "N10 _MVAR=100 _SETVAL=80\nN20 CYCLE978\n"),
@@ -308,6 +305,41 @@ fn what_a_macro_says_is_not_converted() {
     }
     let value = format!("DEFINE WERT AS 81\n{begin}R32=WERT\nL978\n");
     assert!(converted(&value, &[]).contains("\n_SETVAL=WERT\nCYCLE978"));
+}
+
+// oracle: manual B:4112 (CYCLE997 from SW 6.3), B:2404 (CYCLE119 too)
+#[test]
+fn a_call_with_the_number_of_a_newer_cycle_is_told() {
+    let newer = |text: &str| -> Vec<String> {
+        let all = told(text).into_iter().filter(|(key, ..)| key == "older-new");
+        all.map(|(_, place, _)| place).collect()
+    };
+    assert_eq!(newer("R23=1 R42=44\nL994\nL997\nL119\n"), ["L997", "L119"]);
+    assert_eq!(newer("R23=1\nL997\n"), ["L997"]);
+    assert!(newer("R23=1\nL997\nM30\n%_N_L997_SPF\nG0 X1\nM17\n").is_empty(), "a program of the user");
+}
+
+// oracle: manual A:16314, A:16557 (R31 is _MD for CYCLE973, and _RF for CYCLE979), r_params.md rule 3 (say so)
+#[test]
+fn an_assignment_that_gets_several_names_is_told() {
+    let both = |text: &str| told(text).into_iter().filter(|(key, ..)| key == "older-both").map(|(_, at, _)| at).last();
+    assert_eq!(both("R23=13 R31=1\nL973\nR23=1\nL979\n").as_deref(), Some("R31=1"));
+    assert_eq!(both("R23=13 R31=1\nL973\nR23=1 R31=500\nL979\n"), None);
+}
+
+// oracle: hand (R19 is one parameter for CYCLE998, so nothing asks for it)
+#[test]
+fn an_answer_without_a_question_is_told() {
+    let idle = |text: &str| {
+        let program = read(Dialect::Sinumerik, text.as_bytes());
+        let (programs, mut found) = (programs(&program), Vec::new());
+        let older = find(&program, &programs, &Answers::from([(19, names::SZA)]));
+        findings(&program, &programs, &older, &mut found);
+        found.iter().filter(|one| one.message.key == "older-idle").count()
+    };
+    assert_eq!(idle("R23=105 R19=40\nL998\n"), 1);
+    assert_eq!(idle("R23=1101 R32=80\nL977\n"), 1, "nothing gives R19 a value");
+    assert_eq!(idle("R23=1101 R19=-20 R32=80\nL977\n"), 0);
 }
 
 // oracle: hand (R43 is written by nobody, and read behind the call)

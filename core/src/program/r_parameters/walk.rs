@@ -1,7 +1,7 @@
 //! Which assignments of R parameters come to which measuring call of an 840C, along branches, loops and subprograms.
 
 use super::{Assigned, Call, Older, assignment};
-use crate::catalogue::r_parameters::{VARIANT, called, is_result, number};
+use crate::catalogue::r_parameters::{VARIANT, called, is_printed, is_result, newer, number};
 use crate::diagnostic::Span;
 use crate::entry::Cycle;
 use crate::program::flow::{Follow, Meet, follow};
@@ -62,6 +62,8 @@ struct Walk<'a> {
     /// The cycle that each word calls which looks like a measuring call, by its first byte.
     candidates: BTreeMap<u32, &'static Cycle>,
     met: BTreeMap<u32, Met>,
+    /// Calls with the number of a cycle that no 840C had.
+    newer: BTreeMap<u32, (Span, &'static Cycle)>,
     /// Assignments that something else reads.
     read: BTreeSet<u32>,
     /// Results that a word reads, by its first byte and their number.
@@ -75,7 +77,7 @@ struct Walk<'a> {
 pub(super) fn walk(program: &Program, programs: &Programs) -> Older {
     let of = |word: &Word| {
         let name = program.name(word.called()?);
-        let cycle = called(&name).filter(|_| programs.place(&name).is_none())?;
+        let cycle = called(&name).or_else(|| newer(&name)).filter(|_| programs.place(&name).is_none())?;
         Some((word.span.start, cycle))
     };
     let candidates: BTreeMap<u32, _> = program.words.iter().filter_map(of).collect();
@@ -86,6 +88,7 @@ pub(super) fn walk(program: &Program, programs: &Programs) -> Older {
         program,
         candidates,
         met: BTreeMap::new(),
+        newer: BTreeMap::new(),
         read: BTreeSet::new(),
         results: BTreeMap::new(),
         unclear: None,
@@ -99,13 +102,14 @@ impl Walk<'_> {
     fn found(mut self) -> Older {
         // R23 makes it a measuring call: other subprograms have numbers too
         self.met.retain(|_, met| met.given.contains_key(&VARIANT));
+        let newer = self.newer.into_values().collect();
         if self.met.is_empty() {
-            return Older::default();
+            return Older { newer, ..Older::default() };
         }
         let places: BTreeSet<u32> = self.met.values().flat_map(|met| met.given.values().flatten().copied()).collect();
         let assigned: Vec<Assigned> = places.iter().filter_map(|place| self.assigned(*place)).collect();
         let at = |place: &u32| assigned.binary_search_by_key(place, |one| one.word.start).ok();
-        let mut older = Older { results: self.results.into_values().collect(), ..Older::default() };
+        let mut older = Older { results: self.results.into_values().collect(), newer, ..Older::default() };
         older.unclear = self.unclear;
         older.unread = self.unread.into_values().collect();
         for met in self.met.into_values() {
@@ -234,6 +238,11 @@ impl Follow for Walk<'_> {
 
     fn call(&mut self, state: &mut Holds, word: &Word) {
         let Some((cycle, name)) = self.candidates.get(&word.span.start).copied().zip(word.called()) else { return };
+        if !is_printed(cycle) {
+            let counts = state.given.contains_key(&VARIANT);
+            self.newer.extend(counts.then(|| (word.span.start, (self.program.placed(name), cycle))));
+            return;
+        }
         if state.more || self.program.is_of_macro(word.span) || self.is_elsewhere(name) {
             self.unclear = self.unclear.or(Some(self.program.placed(name)));
         }
