@@ -102,7 +102,7 @@ impl Walk<'_> {
     fn found(mut self) -> Older {
         // R23 makes it a measuring call: other subprograms have numbers too
         self.met.retain(|_, met| met.given.contains_key(&VARIANT));
-        let newer = self.newer.into_values().collect();
+        let newer = std::mem::take(&mut self.newer).into_values().collect();
         if self.met.is_empty() {
             return Older { newer, ..Older::default() };
         }
