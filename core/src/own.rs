@@ -305,9 +305,13 @@ sentences! {
     CONVERT_UNUSED 232 Note "convert-unused" "";
     FOREIGN_LOG 233 Note "foreign-is-log" "foreign-is-log-hint";
     NEWER_PLACES 234 Note "newer-places" "";
+    OLDER_UNREAD 235 Warning "older-unread" "older-unread-hint";
+    OLDER_BOTH 236 Note "older-both" "";
     NEWER_CENTRE_MISSING 237 Warning "newer-centre-missing" "newer-centre-missing-hint";
     NEWER_CENTRE_UNUSED 237 Warning "newer-centre-unused" "newer-centre-unused-hint";
     NEWER_NO_LIST 238 Warning "newer-no-list" "newer-no-list-hint";
+    OLDER_NEW 239 Note "older-new" "";
+    OLDER_IDLE 240 Note "older-idle" "";
 }
 
 #[cfg(all(test, feature = "cli"))]

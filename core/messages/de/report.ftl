@@ -263,6 +263,7 @@ older-none = Kein Messaufruf einer 840C gefunden: L9xx eines Messzyklus, mit der
 older-not-used = in dieser Variante nicht verwendet
 older-or = oder
 older-answer-unknown = { $name } ist in den Tabellen des Handbuchs zur 840C nirgends { $value }.
+older-answer-twice = { $first } und { $second } widersprechen sich. Nur eine dieser Antworten angeben.
 older-cycle = { $name } an einer 840C ist heute { $what } (angenommen: Kein Handbuch druckt die Namen an der 840C).
 older-parameter = { $name } in Messprogrammen der 840C:
 terminal-run-mode-text = Wie das Programm abläuft: automatic, dry-run, program-test, block-search, simulation, jobshop; was übersprungen wird, wird gemeldet

@@ -263,6 +263,7 @@ older-none = No measuring call of an 840C found: L9xx of a measuring cycle, with
 older-not-used = not used by this variant
 older-or = or
 older-answer-unknown = { $name } is never { $value } in the manual’s tables of the 840C.
+older-answer-twice = { $first } and { $second } contradict each other. Give one of these answers.
 older-cycle = { $name } on an 840C is { $what } today (assumed: neither manual prints the names on the 840C).
 older-parameter = { $name } in measuring programs of the 840C:
 terminal-run-mode-text = How the program is carried out: automatic, dry-run, program-test, block-search, simulation, jobshop; what is skipped is reported

@@ -263,6 +263,7 @@ older-none = 没有找到 840C 的测量调用：测量循环的 L9xx，测量�
 older-not-used = 此测量方式不使用
 older-or = 或
 older-answer-unknown = 在手册的 840C 表格中，{ $name } 从来不是 { $value }。
+older-answer-twice = { $first } 和 { $second } 相互矛盾。只能给出其中一个回答。
 older-cycle = 840C 上的 { $name } 现在是 { $what }（假定：两本手册都没有印出 840C 上的名称）。
 older-parameter = 840C 测量程序中的 { $name }：
 terminal-run-mode-text = 程序的运行方式：automatic、dry-run、program-test、block-search、simulation、jobshop；报告跳过的内容

@@ -3,14 +3,14 @@
 use super::finding::{Edit, Finding, edits, placed};
 use super::{Error, ProgramText};
 use crate::catalogue::CYCLES;
-use crate::catalogue::r_parameters::{number, numbers, printed};
+use crate::catalogue::r_parameters::{SETPOINTS, number, numbers, printed};
 use crate::check;
 use crate::control::delivery;
 use crate::dialect::Dialect;
 use crate::entry::{Typed, names};
 use crate::message::Message;
 use crate::name::Name;
-use crate::program::r_parameters::{Answers, Assigned, Call, Older, edits as of_program, find, findings};
+use crate::program::r_parameters::{Answers, Assigned, Call, Older, edits as of_program, find, findings, reasons};
 use crate::refused::Path;
 use crate::syntax::position::Positions;
 use crate::syntax::programs::programs;
@@ -83,6 +83,7 @@ pub fn older(asked: OlderRequest) -> Result<OlderView, Error> {
     let positions = Positions::new(&program.source);
     let mut found = Vec::new();
     findings(&program, &programs, &older, &mut found);
+    found.extend(reasons(&program, &older));
     found.sort_by_key(|one| one.span.map_or(0, |span| span.start));
     Ok(OlderView {
         calls: older.calls.iter().map(|call| told(&program, &older, call)).collect(),
@@ -94,8 +95,8 @@ pub fn older(asked: OlderRequest) -> Result<OlderView, Error> {
 /// Answers as they are given, by the numbers of their R parameters.
 ///
 /// # Errors
-/// No cycle has this name for this R parameter.
-pub fn answers(asked: &BTreeMap<String, String>) -> Result<Answers, Error> {
+/// No cycle has this name for this R parameter, or two answers contradict each other.
+pub fn answers<'a>(asked: impl IntoIterator<Item = (&'a String, &'a String)>) -> Result<Answers, Error> {
     let mut answers = Answers::new();
     for (parameter, value) in asked {
         let number = number(&parameter.to_ascii_uppercase()).unwrap_or_default();
@@ -103,9 +104,18 @@ pub fn answers(asked: &BTreeMap<String, String>) -> Result<Answers, Error> {
         let name = all.find(|known| known.eq_ignore_ascii_case(value)).ok_or_else(|| {
             Error::new("older-answer-unknown", Path::of(&["answers"])).text("name", parameter).text("value", value)
         })?;
-        answers.insert(number, name);
+        if let Some(other) = answers.insert(number, name).filter(|other| *other != name) {
+            return Err(contradiction((number, other), (number, name)));
+        }
     }
-    Ok(answers)
+    let [first, second] = SETPOINTS.map(|number| Some((number, *answers.get(&number)?)));
+    first.zip(second).map_or(Ok(answers), |(first, second)| Err(contradiction(first, second)))
+}
+
+/// Of an R parameter that is two names, or two that are one.
+fn contradiction(first: (u16, Name), second: (u16, Name)) -> Error {
+    let text = |(number, name): (u16, Name)| format!("R{number}={name}");
+    Error::new("older-answer-twice", Path::of(&["answers"])).text("first", text(first)).text("second", text(second))
 }
 
 fn told(program: &Program, older: &Older, call: &Call) -> OlderCall {

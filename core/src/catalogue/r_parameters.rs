@@ -15,6 +15,9 @@ const PRINTED: [&str; 12] = [
     "CYCLE982", "CYCLE994", "CYCLE998",
 ];
 
+/// Cycles that came with measuring cycles SW 6.3, long after the 840C (B:2404, B:4112).
+const NEW: [&str; 2] = ["CYCLE997", "CYCLE119"];
+
 /// Cycles that print something else than the others.
 enum Cycles {
     All,
@@ -85,9 +88,17 @@ pub fn is_result(number: u16) -> bool {
 /// The cycle of today that a subprogram was, by its number (`L977`): an assumption, since neither manual prints how the
 /// 840C called them.
 pub fn called(name: &str) -> Option<&'static Cycle> {
+    numbered(name).filter(|cycle| is_printed(cycle))
+}
+
+/// The cycle with the number of a subprogram that cannot be that cycle, because no 840C had it.
+pub fn newer(name: &str) -> Option<&'static Cycle> {
+    numbered(name).filter(|cycle| NEW.contains(&cycle.name))
+}
+
+fn numbered(name: &str) -> Option<&'static Cycle> {
     let digits = name.strip_prefix('L').filter(|digits| digits.len() == 3)?;
-    let cycle = find(Dialect::Sinumerik, &format!("CYCLE{digits}"))?;
-    is_printed(cycle).then_some(cycle)
+    find(Dialect::Sinumerik, &format!("CYCLE{digits}"))
 }
 
 /// Whether the manual prints R parameters beside those of a cycle.

@@ -355,7 +355,7 @@ impl Job<'_> {
         let mut lines: Vec<String> = self.kept(site, &own, &written.said, stays);
         lines.extend(text.lines().map(str::to_owned));
         let call = lines.pop().unwrap_or_default();
-        let mut edits: Vec<Edit> = emptied(program, &own, site.line);
+        let mut edits: Vec<Edit> = emptied(program, &own, |line, _| line == site.line);
         if let (true, Some((_, place))) = (marks, mark_before(program, site)) {
             edits.push(without_comment(program, place));
         }

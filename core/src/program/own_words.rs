@@ -42,12 +42,12 @@ pub(super) fn own_words<'a>(
     found
 }
 
-/// Takes words out of their lines; a line without anything else goes with its end.
-pub(super) fn emptied(program: &Program, own: &Lines, call_line: u32) -> Vec<Edit> {
+/// Takes words out of their lines; a line without anything else goes with its end, unless it `stays`.
+pub(super) fn emptied(program: &Program, own: &Lines, stays: impl Fn(u32, &Block) -> bool) -> Vec<Edit> {
     let mut edits = Vec::new();
     for (line, words) in own {
         let Some(block) = program.blocks.get(*line as usize) else { continue };
-        if program.words_of(block).len() == words.len() && block.comment.is_none() && *line != call_line {
+        if program.words_of(block).len() == words.len() && block.comment.is_none() && !stays(*line, block) {
             edits.push(without_line(program, *line, block.span.start));
         } else {
             edits.extend(without_words(program, words, block.span));

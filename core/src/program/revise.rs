@@ -174,7 +174,7 @@ fn without(program: &Program, site: &CallSite, names: &[Name]) -> Option<Vec<Edi
         word.is_some_and(|word| matches!(word.kind, WordKind::Assign { .. }))
     };
     let words = own_words(program, site, false, |name| names.iter().any(|one| *one == name) && is_word(name));
-    let mut edits = emptied(program, &words, site.line);
+    let mut edits = emptied(program, &words, |line, _| line == site.line);
     for name in names.iter().filter(|name| !is_word(name)) {
         let place = site.own_place(name);
         let argument = place.filter(|place| arguments::is_argument(program, *place));

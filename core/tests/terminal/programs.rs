@@ -521,6 +521,18 @@ fn a_program_of_the_840c_is_converted_once_it_is_clear() {
     let view: serde_json::Value = serde_json::from_str(&out(&probewright(&["older", path, "--json"]))).unwrap();
     assert_eq!(view["calls"][0]["parameters"].as_array().unwrap().len(), 3);
     assert_eq!(probewright(&["older", path, "--answer", "R19=_FA"]).status.code(), Some(2));
+    for [first, second] in [["R19=_ID", "R19=_SZA"], ["R19=_ID", "r19=_SZA"], ["R32=_SETVAL", "R42=_SETVAL"]] {
+        let refused = probewright(&["older", path, "--answer", first, "--answer", second]);
+        assert_eq!((refused.status.code(), out(&refused).as_str()), (Some(2), ""), "{first} {second}");
+        assert!(err(&refused).contains(first), "{}", err(&refused));
+    }
+    let idle = probewright(&["older", path, "--answer", "R19=_ID", "--answer", "R31=_MD"]);
+    assert!(idle.status.success() && err(&idle).contains("PW240"), "{}", err(&idle));
+    // what cannot be read: which call stays, where, and why
+    std::fs::write(&file, "R23=100 R32=(80 R22=1\nL978\n").unwrap();
+    let unread = probewright(&["older", path]);
+    assert_eq!((unread.status.code(), out(&unread).as_str()), (Some(1), ""));
+    assert!(err(&unread).contains("PW235") && err(&unread).contains("PW100"), "{}", err(&unread));
     std::fs::write(&file, "G0 X1\n").unwrap();
     assert_eq!(probewright(&["older", path]).status.code(), Some(2));
     std::fs::remove_dir_all(&folder).unwrap();

@@ -7,7 +7,7 @@ use probewright_core::dialect::Dialect;
 use probewright_core::json;
 use probewright_core::message::Message;
 use probewright_core::program::change::apply;
-use probewright_core::program::r_parameters::{Answers, edits, find, findings};
+use probewright_core::program::r_parameters::{Answers, edits, find, findings, reasons};
 use probewright_core::syntax::programs::programs;
 use probewright_core::syntax::{Program, read};
 use probewright_core::words::Words;
@@ -31,9 +31,11 @@ pub struct Arguments {
 /// Writes the program with the names of today, byte for byte what it was elsewhere; or tells what each R parameter
 /// means. 1 where a question is open, or nothing is to be converted.
 pub fn older(asked: &Arguments, words: &Words, out: &mut dyn Write) -> Result<ExitCode, Problem> {
-    let given = asked.answers.iter().map(|text| pair(text)).collect::<Result<BTreeMap<_, _>, _>>()?;
-    let answers = app::answers(&given).map_err(|refused| wrong(refused.message))?;
+    let given = asked.answers.iter().map(|text| pair(text)).collect::<Result<Vec<_>, _>>()?;
+    let answers =
+        app::answers(given.iter().map(|(name, value)| (name, value))).map_err(|refused| wrong(refused.message))?;
     let text = String::from_utf8_lossy(&file::program(&asked.file)?).into_owned();
+    let given: BTreeMap<String, String> = given.into_iter().collect();
     let view = app::older(OlderRequest { text: text.into(), answers: given });
     let view = view.map_err(|refused| wrong_file(&asked.file, refused.message))?;
     if asked.json {
@@ -65,6 +67,7 @@ fn converted(asked: &Arguments, answers: &Answers, words: &Words, out: &mut dyn 
     let older = find(&program, &programs, answers);
     let mut found = Vec::new();
     findings(&program, &programs, &older, &mut found);
+    found.extend(reasons(&program, &older));
     let edits = edits(&program, &older);
     if !edits.is_empty() {
         found.retain(|one| one.span.is_none_or(|span| older.calls.iter().all(|call| call.name != span)));

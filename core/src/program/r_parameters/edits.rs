@@ -21,8 +21,34 @@ pub fn edits(program: &Program, older: &Older) -> Vec<Edit> {
         }
     }
     all.extend(without(program, &spare));
-    all.sort_by_key(|edit| (edit.span.start, edit.span.end));
-    all
+    separated(program, all)
+}
+
+/// The edits in their order, with a blank where a name would stick to what is beside it: R parameters are written
+/// without (`N10R23=100R30=1`), names are not.
+pub(super) fn separated(program: &Program, mut edits: Vec<Edit>) -> Vec<Edit> {
+    edits.sort_by_key(|edit| (edit.span.start, edit.span.end));
+    let byte = |at: Option<u32>| at.and_then(|at| program.source.get(at as usize)).copied();
+    let starts: Vec<u32> = edits.iter().skip(1).map(|edit| edit.span.start).chain([u32::MAX]).collect();
+    let (mut end, mut last) = (u32::MAX, None);
+    for (edit, next) in edits.iter_mut().zip(starts) {
+        let before = if edit.span.start == end { last } else { byte(edit.span.start.checked_sub(1)) };
+        let behind = byte(Some(edit.span.end)).filter(|_| next != edit.span.end);
+        let [begins, ends] = [edit.insert.bytes().next(), edit.insert.bytes().next_back()];
+        if sticks(before) && sticks(begins.or(behind)) {
+            edit.insert.insert(0, ' ');
+        }
+        if sticks(ends) && sticks(behind) {
+            edit.insert.push(' ');
+        }
+        (end, last) = (edit.span.end, edit.insert.bytes().next_back().or(before));
+    }
+    edits
+}
+
+/// Whether a byte belongs to a name or number beside it.
+fn sticks(byte: Option<u8>) -> bool {
+    byte.is_some_and(|byte| byte.is_ascii_alphanumeric() || b"_$.".contains(&byte))
 }
 
 /// An assignment under these names. What is read elsewhere stays, and each name takes its value.
@@ -40,7 +66,8 @@ pub(super) fn named(program: &Program, one: &Assigned, names: impl Iterator<Item
     edits
 }
 
-/// Without these words; a line that held nothing else goes with them.
+/// Without these words; a line that held nothing else goes with them, but for its block number: what jumps there or
+/// repeats from there still finds it.
 pub(super) fn without(program: &Program, spare: &[Span]) -> Vec<Edit> {
     let mut lines = Lines::new();
     for span in spare {
@@ -48,5 +75,5 @@ pub(super) fn without(program: &Program, spare: &[Span]) -> Vec<Edit> {
             lines.entry(program.line_of(span.start)).or_default().push(word);
         }
     }
-    emptied(program, &lines, u32::MAX)
+    emptied(program, &lines, |_, block| block.number.is_some())
 }

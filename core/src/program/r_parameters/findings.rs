@@ -1,7 +1,7 @@
 //! What is said about measuring calls of an 840C, and the cures: the whole program with the names of today, or one
 //! assignment where the manual leaves open what is meant.
 
-use super::edits::{edits, named, without};
+use super::edits::{edits, named, separated, without};
 use super::{Answers, Assigned, Call, Older, find};
 use crate::catalogue::r_parameters::{Called, FACTOR, VARIANT};
 use crate::diagnostic::{Diagnostic, Edit, Span};
@@ -9,9 +9,10 @@ use crate::entry::names;
 use crate::message::{Arg, Message};
 use crate::name::Name;
 use crate::own::{self, Own};
-use crate::syntax::Program;
+use crate::program::findings::not_understood;
 use crate::syntax::fold::{NOTHING, number};
 use crate::syntax::programs::Programs;
+use crate::syntax::{Program, SyntaxError};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Whether it is said of a measuring call of an 840C.
@@ -33,7 +34,14 @@ pub fn findings(program: &Program, programs: &Programs, older: &Older, found: &m
         });
         found.extend(missing(program, older, call));
     }
+    found.extend(older.newer.iter().map(|(name, cycle)| {
+        own::OLDER_NEW.finding().text("word", program.name(*name)).text("cycle", cycle.name).on(*name)
+    }));
+    found.extend(idle(older));
     for one in &older.assigned {
+        if one.names.len() > 1 && one.open.is_empty() {
+            found.push(both(program, older, one));
+        }
         if one.number == FACTOR && !one.names.is_empty() {
             found.push(own::OLDER_FACTOR.finding().text("text", one.text(program)).on(one.word));
         }
@@ -58,9 +66,35 @@ pub fn findings(program: &Program, programs: &Programs, older: &Older, found: &m
     for (number, place) in &older.results {
         found.push(own::OLDER_RESULT.finding().text("name", format!("R{number}")).on(*place));
     }
+    for place in &older.unread {
+        found.push(own::OLDER_UNREAD.finding().text("text", program.written(*place)).on(*place));
+    }
     if let Some(place) = older.unclear {
         found.push(own::OLDER_UNCLEAR.finding().text("text", program.written(place)).on(place));
     }
+}
+
+/// Answers to which there is no question.
+fn idle(older: &Older) -> impl Iterator<Item = Diagnostic> {
+    let idle = older.answers.iter().filter(|(number, _)| !older.answered.contains(number));
+    idle.map(|(number, name)| own::OLDER_IDLE.finding().text("text", format!("R{number}={name}")))
+}
+
+/// That an assignment gets several names, since its calls take it as different parameters.
+fn both(program: &Program, older: &Older, one: &Assigned) -> Diagnostic {
+    let names: Vec<&str> = one.names.iter().map(|name| name.as_str()).collect();
+    let finding = own::OLDER_BOTH.finding().text("text", one.text(program)).text("cycles", cycles(older, one));
+    finding.text("names", names.join(", ")).on(one.word)
+}
+
+/// Why words could not be read, for those to whom the errors of the program are not told anyway.
+pub fn reasons(program: &Program, older: &Older) -> Vec<Diagnostic> {
+    let within = |error: &&SyntaxError| {
+        let behind = older.unread.partition_point(|word| word.start <= error.span.start);
+        let word = behind.checked_sub(1).and_then(|at| older.unread.get(at));
+        word.is_some_and(|word| error.span.start <= word.end)
+    };
+    program.errors.iter().filter(within).map(|error| not_understood(program, error)).collect()
 }
 
 /// What the call gives no value to: on both controls the value of an earlier call counts (B:1696). The cure writes the
@@ -79,7 +113,8 @@ fn missing(program: &Program, older: &Older, call: &Call) -> Option<Diagnostic> 
     let found = (!left.is_empty()).then_some(finding)?;
     let Some(last) = last else { return Some(found) };
     let label = Message::new("older-complete").text("word", program.name(call.name));
-    Some(found.cured(label, vec![Edit::insert(last, format!(" {}", values.join(" ")))]))
+    let written = vec![Edit::insert(last, format!(" {}", values.join(" ")))];
+    Some(found.cured(label, separated(program, written)))
 }
 
 /// What each R parameter of a call is: `R23 = _MVAR, R19 = _ID / _SZA`; those that are nothing are told by themselves.
@@ -156,8 +191,7 @@ fn answer(program: &Program, older: &Older, one: &Assigned) -> Vec<Edit> {
     let mut all = named(program, now, now.names.iter().copied());
     let spare: Vec<Span> = beside.iter().map(|other| other.word).collect();
     all.extend(without(program, &spare));
-    all.sort_by_key(|edit| (edit.span.start, edit.span.end));
-    all
+    separated(program, all)
 }
 
 /// The cycles that an assignment reaches.

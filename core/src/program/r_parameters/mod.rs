@@ -11,7 +11,7 @@ mod tests;
 mod walk;
 
 pub use edits::edits;
-pub use findings::{findings, is_of_call};
+pub use findings::{findings, is_of_call, reasons};
 
 use crate::catalogue::r_parameters::{Called, SETPOINTS, VARIANT};
 use crate::diagnostic::Span;
@@ -36,10 +36,16 @@ pub struct Older {
     pub results: Vec<(u16, Span)>,
     /// Where the program gives an R parameter a value that cannot be followed.
     pub unclear: Option<Span>,
+    /// Words that could not be read: they may assign R parameters of a call, or read them.
+    pub unread: Vec<Span>,
+    /// Calls with the number of a cycle that no 840C had, to which a variant comes: name in the call, and the cycle.
+    pub newer: Vec<(Span, &'static Cycle)>,
     /// Where a call would read the value of another call.
     pub clashes: Vec<Clash>,
     /// What was answered.
     answers: Answers,
+    /// R parameters for which an answer counted.
+    answered: BTreeSet<u16>,
 }
 
 /// A parameter that would come to a call with the value that another call means by it.
@@ -100,6 +106,7 @@ pub fn find(program: &Program, programs: &Programs, answers: &Answers) -> Older 
         for (number, places) in &call.given {
             let Some(meant) = meant.get(number) else { continue };
             let (names, open) = meant.with(*number, answers);
+            older.answered.extend((meant.open && !open).then_some(*number));
             for at in places {
                 let Some(assigned) = older.assigned.get_mut(*at) else { continue };
                 if open { &mut assigned.open } else { &mut assigned.names }.extend(&names);
@@ -170,8 +177,8 @@ fn meant(program: &Program, older: &Older, call: &Call, variants: &[Called]) -> 
 impl Older {
     /// Whether every assignment is known to be one parameter, or none, and every call would get its own values.
     pub fn is_clear(&self) -> bool {
-        let told = self.unclear.is_none() && self.clashes.is_empty();
-        told && self.assigned.iter().all(|one| one.open.is_empty())
+        let followed = self.unclear.is_none() && self.unread.is_empty();
+        followed && self.clashes.is_empty() && self.assigned.iter().all(|one| one.open.is_empty())
     }
 }
 

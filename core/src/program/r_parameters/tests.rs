@@ -213,13 +213,133 @@ fn an_answer_and_its_cure_say_the_same() {
 // oracle: hand (a subprogram of the user has the number of a cycle; no variant comes; values that cannot be followed)
 #[test]
 fn what_is_no_measuring_call_stays() {
-    for text in ["L977\n", "R23=1\nL997\n", "R23=1\nL100\n", "R23=1\nL977\nM30\n%_N_L977_SPF\nG0 X1\nM17\n"] {
+    for text in ["L977\n", "L997\n", "R23=1\nL100\n", "R23=1\nL977\nM30\n%_N_L977_SPF\nG0 X1\nM17\n"] {
         assert!(told(text).is_empty() && converted(text, &[]).is_empty(), "{text}");
     }
     for text in ["R23=1 R[R5]=3\nL977\n", "FOR R32=1 TO 3\nR23=100\nL978\nENDFOR\n"] {
         assert_eq!(converted(text, &[]), "");
         assert!(told(text).iter().any(|(key, ..)| key == "older-unclear"), "{text}");
     }
+}
+
+// oracle: hand (a word that cannot be read may assign an R parameter, or read one)
+#[test]
+fn what_cannot_be_read_is_told_and_nothing_is_converted() {
+    let call = "L978\nM30\n";
+    for (lines, unread) in [
+        ("R23=100 R30=1 R32=(80 R22=1\n", "R32=("),
+        ("R23=100 R30=1 R32=80# R22=1\n", "#"),
+        ("R23=100 R30=1 R22=1 R32=\n", "R32="),
+        ("R23=100 R30=1 R22=1\n@714 R32=80\n", "@714"),
+        ("@714\nR23=100 R32=80\n", "@714"),
+        ("R23=100 R30=1\nN15 R32 80\n", "80"),
+    ] {
+        let text = format!("{lines}{call}");
+        assert_eq!(converted(&text, &[]), "", "{text}");
+        let all = told(&text);
+        let mut places = all.iter().filter(|(key, ..)| key == "older-unread").map(|(_, place, _)| place);
+        assert!(places.any(|place| place.contains(unread)), "{text}{all:?}");
+    }
+    // in another program, and without anything for a call
+    let other = "%_N_A_MPF\nX=5#\nM30\n%_N_B_MPF\nR23=100 R32=80\nL978\nM30\n";
+    assert!(!converted(other, &[]).is_empty());
+    assert!(told("R23=100 R32=(80\nL5\n").is_empty());
+}
+
+// oracle: hand (a block number is what jumps and repetitions look for, however they name it)
+#[test]
+fn a_block_number_stays_where_the_assignment_goes() {
+    let begin = "N10 R23=100 R30=1 R32=80 R22=1\n";
+    let today = "N10 _MVAR=100 _MA=1 _SETVAL=80 _PRNUM=1\n";
+    for (jump, block, behind) in [
+        ("CASE R7 OF 1 GOTOF N20 2 GOTOF N30 DEFAULT GOTOF N30\n", "N20", ""),
+        ("IF R1==1 GOTOF N20\n", "N20", ""),
+        ("GOTOF \"N\"<<R1\n", "N20", ""),
+        ("", ":20", "IF R9==2 GOTOB N20\n"),
+        ("", "N20", "N40 REPEATB N20 P=2\n"),
+        ("", "/N20", ""),
+        ("", "\tN20", ""),
+    ] {
+        let text = format!("{begin}{jump}{block} R42=81\nN30 L978\n{behind}M30\n");
+        let wanted = format!("{today}{jump}{block}\nN30 CYCLE978\n{behind}M30\n");
+        assert_eq!(converted(&text, &[]), wanted);
+    }
+    // an answer that takes the other setpoint away
+    let text = "R23=0 R32=44\nN20 R42=45\nL974\n";
+    let cures: Vec<String> = told(text).into_iter().map(|(_, _, cured)| cured).collect();
+    assert_eq!(cures[1], "R23=0 _SETVAL=44\nN20\nL974\n");
+}
+
+// oracle: hand (a name ends where something else begins that is no letter and no digit)
+#[test]
+fn names_do_not_stick_to_what_is_beside_them() {
+    for (older, today) in [
+        ("N10R23=100R30=1R32=80R22=1\nN20L978\n", "N10 _MVAR=100 _MA=1 _SETVAL=80 _PRNUM=1\nN20 CYCLE978\n"),
+        ("R23=100R32=80R28=4R36=R2\nL978P2\n", "_MVAR=100 _SETVAL=80 _FA=4 _TSA=R2\nCYCLE978 P2\n"),
+        // what goes leaves no number beside a name
+        ("N10R31=0R23=100R42=5 R32=80\nN20R19=1 L978\n", "N10 _MVAR=100 _SETVAL=80\nN20 CYCLE978\n"),
+        // one that something else reads stays, and its name behind it
+        ("R23=100R32=80R5=1\nX=R32\nL978\n", "_MVAR=100R32=80 _SETVAL=R32 R5=1\nX=R32\nCYCLE978\n"),
+        ("R23=100 R32=80.R30=1\nL978\n", "_MVAR=100 _SETVAL=80. _MA=1\nCYCLE978\n"),
+        ("N10R31=0G0 R23=100 R32=80\nL978\n", "N10 G0 _MVAR=100 _SETVAL=80\nCYCLE978\n"),
+    ] {
+        assert_eq!(converted(older, &[]), today);
+    }
+    assert!(completed("R23=100R32=80L978\n")[0].1.ends_with(" L978\n"));
+}
+
+// oracle: hand (a macro that says the call, or the name of an R parameter, has no place for another name)
+#[test]
+fn what_a_macro_says_is_not_converted() {
+    let begin = "N10 R23=100 R30=1 R32=80\n";
+    for text in [
+        format!("DEFINE MESS AS L978\n{begin}N20 MESS\nM30\n"),
+        format!("DEFINE MESS AS L978\n{begin}N20 MESS\nN30 R30=2\nN40 L978\nM30\n"),
+        format!("DEFINE MESS AS L978 M8\n{begin}N20 MESS\nM30\n"),
+        format!("DEFINE SOLL AS R32\n{begin}SOLL=81\nL978\n"),
+        format!("DEFINE SOLL AS R32=81\n{begin}SOLL\nL978\n"),
+        format!("DEFINE ALLES AS R32=81 L978\n{begin}ALLES\n"),
+    ] {
+        assert_eq!(converted(&text, &[]), "", "{text}");
+        assert!(told(&text).iter().any(|(key, ..)| key == "older-unclear"), "{text}");
+    }
+    let value = format!("DEFINE WERT AS 81\n{begin}R32=WERT\nL978\n");
+    assert!(converted(&value, &[]).contains("\n_SETVAL=WERT\nCYCLE978"));
+}
+
+// oracle: manual B:4112 (CYCLE997 from SW 6.3), B:2404 (CYCLE119 too)
+#[test]
+fn a_call_with_the_number_of_a_newer_cycle_is_told() {
+    let newer = |text: &str| -> Vec<String> {
+        let all = told(text).into_iter().filter(|(key, ..)| key == "older-new");
+        all.map(|(_, place, _)| place).collect()
+    };
+    assert_eq!(newer("R23=1 R42=44\nL994\nL997\nL119\n"), ["L997", "L119"]);
+    assert_eq!(newer("R23=1\nL997\n"), ["L997"]);
+    assert!(newer("R23=1\nL997\nM30\n%_N_L997_SPF\nG0 X1\nM17\n").is_empty(), "a program of the user");
+}
+
+// oracle: manual A:16314, A:16557 (R31 is _MD for CYCLE973, and _RF for CYCLE979), r_params.md rule 3 (say so)
+#[test]
+fn an_assignment_that_gets_several_names_is_told() {
+    let both = |text: &str| told(text).into_iter().filter(|(key, ..)| key == "older-both").map(|(_, at, _)| at).last();
+    assert_eq!(both("R23=13 R31=1\nL973\nR23=1\nL979\n").as_deref(), Some("R31=1"));
+    assert_eq!(both("R23=13 R31=1\nL973\nR23=1 R31=500\nL979\n"), None);
+}
+
+// oracle: hand (R19 is one parameter for CYCLE998, so nothing asks for it)
+#[test]
+fn an_answer_without_a_question_is_told() {
+    let idle = |text: &str| {
+        let program = read(Dialect::Sinumerik, text.as_bytes());
+        let (programs, mut found) = (programs(&program), Vec::new());
+        let older = find(&program, &programs, &Answers::from([(19, names::SZA)]));
+        findings(&program, &programs, &older, &mut found);
+        found.iter().filter(|one| one.message.key == "older-idle").count()
+    };
+    assert_eq!(idle("R23=105 R19=40\nL998\n"), 1);
+    assert_eq!(idle("R23=1101 R32=80\nL977\n"), 1, "nothing gives R19 a value");
+    assert_eq!(idle("R23=1101 R19=-20 R32=80\nL977\n"), 0);
 }
 
 // oracle: hand (R43 is written by nobody, and read behind the call)

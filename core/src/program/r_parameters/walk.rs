@@ -1,7 +1,7 @@
 //! Which assignments of R parameters come to which measuring call of an 840C, along branches, loops and subprograms.
 
 use super::{Assigned, Call, Older, assignment};
-use crate::catalogue::r_parameters::{VARIANT, called, is_result, number};
+use crate::catalogue::r_parameters::{VARIANT, called, is_printed, is_result, newer, number};
 use crate::diagnostic::Span;
 use crate::entry::Cycle;
 use crate::program::flow::{Follow, Meet, follow};
@@ -26,6 +26,8 @@ struct Holds {
     measured: bool,
     /// What was assigned since.
     fresh: BTreeSet<u16>,
+    /// A word on the way that could not be read: it may assign anything.
+    unread: Option<Span>,
 }
 
 impl Meet for Holds {
@@ -33,6 +35,7 @@ impl Meet for Holds {
         let mut met = self.clone();
         met.more |= other.more;
         met.measured |= other.measured;
+        met.unread = met.unread.or(other.unread);
         met.fresh.extend(&other.fresh);
         for (number, places) in &other.given {
             let known = met.given.entry(*number).or_default();
@@ -59,18 +62,22 @@ struct Walk<'a> {
     /// The cycle that each word calls which looks like a measuring call, by its first byte.
     candidates: BTreeMap<u32, &'static Cycle>,
     met: BTreeMap<u32, Met>,
+    /// Calls with the number of a cycle that no 840C had.
+    newer: BTreeMap<u32, (Span, &'static Cycle)>,
     /// Assignments that something else reads.
     read: BTreeSet<u32>,
     /// Results that a word reads, by its first byte and their number.
     results: BTreeMap<(u32, u16), (u16, Span)>,
     unclear: Option<Span>,
+    /// Words that could not be read, by their first byte.
+    unread: BTreeMap<u32, Span>,
 }
 
 /// The measuring calls with what comes to them; what it means is open still.
 pub(super) fn walk(program: &Program, programs: &Programs) -> Older {
     let of = |word: &Word| {
         let name = program.name(word.called()?);
-        let cycle = called(&name).filter(|_| programs.place(&name).is_none())?;
+        let cycle = called(&name).or_else(|| newer(&name)).filter(|_| programs.place(&name).is_none())?;
         Some((word.span.start, cycle))
     };
     let candidates: BTreeMap<u32, _> = program.words.iter().filter_map(of).collect();
@@ -81,9 +88,11 @@ pub(super) fn walk(program: &Program, programs: &Programs) -> Older {
         program,
         candidates,
         met: BTreeMap::new(),
+        newer: BTreeMap::new(),
         read: BTreeSet::new(),
         results: BTreeMap::new(),
         unclear: None,
+        unread: BTreeMap::new(),
     };
     follow(program, programs, &mut walk);
     walk.found()
@@ -93,14 +102,16 @@ impl Walk<'_> {
     fn found(mut self) -> Older {
         // R23 makes it a measuring call: other subprograms have numbers too
         self.met.retain(|_, met| met.given.contains_key(&VARIANT));
+        let newer = std::mem::take(&mut self.newer).into_values().collect();
         if self.met.is_empty() {
-            return Older::default();
+            return Older { newer, ..Older::default() };
         }
         let places: BTreeSet<u32> = self.met.values().flat_map(|met| met.given.values().flatten().copied()).collect();
         let assigned: Vec<Assigned> = places.iter().filter_map(|place| self.assigned(*place)).collect();
         let at = |place: &u32| assigned.binary_search_by_key(place, |one| one.word.start).ok();
-        let mut older = Older { results: self.results.into_values().collect(), ..Older::default() };
+        let mut older = Older { results: self.results.into_values().collect(), newer, ..Older::default() };
         older.unclear = self.unclear;
+        older.unread = self.unread.into_values().collect();
         for met in self.met.into_values() {
             let given = met.given.iter().map(|(number, places)| (*number, places.iter().filter_map(at).collect()));
             let (names, reads) = (BTreeMap::new(), BTreeSet::new());
@@ -172,12 +183,39 @@ impl Walk<'_> {
             return;
         }
         let single = matches!(spread(self.program, *value), Spread::One) && !counts;
-        if !single || self.program.is_of_macro(word.span) || self.program.placed(word.span) != word.span {
+        if !single || self.program.is_of_macro(word.span) || self.is_elsewhere(*name) {
             self.unclear = self.unclear.or(Some(word.span));
             return;
         }
         state.given.insert(written, BTreeSet::from([word.span.start]));
     }
+
+    /// Whether a macro says a name: there is no place for another one.
+    fn is_elsewhere(&self, name: Span) -> bool {
+        self.program.placed(name) != name
+    }
+
+    /// A block with a word that could not be read: where it has to do with R parameters, it may read what was assigned,
+    /// and assign what comes to a call.
+    fn unread(&mut self, state: &mut Holds, words: &[Word]) {
+        let Some(word) = words.iter().find(|word| word.kind == WordKind::Unknown) else { return };
+        let whole = words.first().zip(words.last()).map(|(first, last)| Span { end: last.span.end, ..first.span });
+        let unknown = words.iter().filter(|word| word.kind == WordKind::Unknown).map(|word| self.program.said(word));
+        let mut texts = whole.map(|whole| self.program.name(whole)).into_iter().chain(unknown);
+        if !texts.any(|text| has_parameter(&text)) {
+            return;
+        }
+        state.unread = state.unread.or(Some(word.span));
+        if !state.given.is_empty() {
+            self.unread.insert(word.span.start, word.span);
+        }
+    }
+}
+
+/// Whether a text in upper case may name an R parameter: `R32`, `R[5]`, or an `@` command, which takes any.
+fn has_parameter(text: &str) -> bool {
+    let begins = |part: &str| part.trim_start().starts_with(|next: char| next.is_ascii_digit() || next == '[');
+    text.contains('@') || text.split('R').skip(1).any(begins)
 }
 
 /// `R23` for `R23=…` and `R[23]=…`; none: the number is not known.
@@ -191,6 +229,7 @@ impl Follow for Walk<'_> {
 
     fn block(&mut self, state: &mut Holds, words: &[Word]) {
         let counts = words.iter().any(|word| self.program.is_keyword(word, &["FOR"]));
+        self.unread(state, words);
         for word in words {
             self.reads(state, word);
             self.writes(state, word, counts);
@@ -199,9 +238,15 @@ impl Follow for Walk<'_> {
 
     fn call(&mut self, state: &mut Holds, word: &Word) {
         let Some((cycle, name)) = self.candidates.get(&word.span.start).copied().zip(word.called()) else { return };
-        if state.more || self.program.is_of_macro(word.span) {
-            self.unclear = self.unclear.or(Some(name));
+        if !is_printed(cycle) {
+            let counts = state.given.contains_key(&VARIANT);
+            self.newer.extend(counts.then(|| (word.span.start, (self.program.placed(name), cycle))));
+            return;
         }
+        if state.more || self.program.is_of_macro(word.span) || self.is_elsewhere(name) {
+            self.unclear = self.unclear.or(Some(self.program.placed(name)));
+        }
+        self.unread.extend(state.unread.map(|place| (place.start, place)));
         (state.measured, state.fresh) = (true, BTreeSet::new());
         let new = || Met { cycle, word: word.span, name, given: BTreeMap::new() };
         let met = self.met.entry(word.span.start).or_insert_with(new);
