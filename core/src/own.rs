@@ -308,6 +308,7 @@ sentences! {
     NEWER_CENTRE_MISSING 237 Warning "newer-centre-missing" "newer-centre-missing-hint";
     NEWER_CENTRE_UNUSED 237 Warning "newer-centre-unused" "newer-centre-unused-hint";
     NEWER_NO_LIST 238 Warning "newer-no-list" "newer-no-list-hint";
+    DEFINED_HERE 241 Note "defined-here" "defined-here-hint";
 }
 
 #[cfg(all(test, feature = "cli"))]
