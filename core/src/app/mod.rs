@@ -92,7 +92,7 @@ pub use foreign::{ForeignCallView, ForeignFigure, ForeignLog, ForeignParameter, 
 pub use form::{FormRequest, FormView, LoggedCall, form};
 pub use help::{HelpRequest, HelpResult, HelpSection, HelpText, HelpView, help};
 pub use jog::{JogLine, JogPoint, JogResult, JogView, JogWrong, jog};
-pub use machine::{MachineField, MachineGroup, MachineProblem, MachineRequest, MachineView, machine};
+pub use machine::{MachineField, MachineGroup, MachineProblem, MachineRequest, MachineView, machine, machine_doubts};
 pub use machine_check::{
     ExportedFile, MachineAxis, MachineCheckRequest, MachineCheckView, MachineFault, MachineLimit, MachinePlace,
     machine_check,
