@@ -7,6 +7,7 @@ machine-check-unread-size = Größe oder Index des Feldes ist nicht lesbar: { $v
 machine-check-unlike = Die Nummer { $value } gehört zu einem anderen Datum: Die Steuerung liest den Bezeichner.
 machine-check-positive = { $value } ist nicht möglich: Der Wert muss über 0 liegen. Damit wird kein Bremsweg berechnet.
 machine-check-no-axis = Ohne { $data } wird kein Vorschub mit der zulässigen Auslenkung verglichen.
+machine-check-axis-metric = Diese Steuerung ist in Zoll; { "MD32300" } zählt hier in m/s², { "MD32200" } in (m/min)/mm. Eine Verzögerung in inch/s² mit 0,0254 multiplizieren.
 machine-check-twice = Zweimal mit verschiedenen Werten vorhanden: { $before }, dann { $value }. Der letzte gilt.
 machine-check-low = { $value } ist zu klein; mindestens { $limit }.
 machine-check-high = { $value } ist zu groß; höchstens { $limit }.

@@ -7,6 +7,7 @@ machine-check-unread-size = The size or index of the array cannot be read: { $va
 machine-check-unlike = The number { $value } is that of another datum: the control reads the identifier.
 machine-check-positive = { $value } is not possible: the value must be above 0. No braking path is calculated with it.
 machine-check-no-axis = Without { $data } no feed is held against the permitted deflection.
+machine-check-axis-metric = This control is in inches; { "MD32300" } is taken in m/s², { "MD32200" } in (m/min)/mm. Multiply a deceleration in inch/s² by 0.0254.
 machine-check-twice = Given twice with different values: { $before }, then { $value }. The last one counts.
 machine-check-low = { $value } is too low; at least { $limit }.
 machine-check-high = { $value } is too high; at most { $limit }.

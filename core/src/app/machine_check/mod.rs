@@ -91,6 +91,7 @@ pub fn machine_check(asked: MachineCheckRequest) -> Result<MachineCheckView, Err
     let deflection = asked.deflection;
     faults.extend(deflection.iter().flat_map(|most| feeds::faults(&given, &files, &asked.without, *most)));
     faults.extend(deflection.and_then(|_| feeds::unchecked(&given)));
+    faults.extend(deflection.and_then(|_| feeds::metric(&given)));
     faults.sort_by_key(|fault| fault.severity); // stable: within a severity the order of the manual
     let count = |severity| faults.iter().filter(|fault| fault.severity == severity).count() as f64;
     let ending = Message::new("machine-check-ending")

@@ -27,6 +27,19 @@ fn told(view: &MachineCheckView) -> Vec<(&str, Severity, &str)> {
         .collect()
 }
 
+// oracle: manual B:1149-1161 (m/s², no other unit is printed)
+#[test]
+fn the_unit_of_the_deceleration_is_told_on_a_control_in_inch() {
+    let axis = "MD10050=0.002\nMD10070=2\nMD32200[X1]=1\nMD32300[X1]=1\n";
+    let told = |text: String, deflection: Option<f64>| {
+        let view = machine_check(MachineCheckRequest { deflection, ..asked(&text) }).unwrap();
+        view.faults.iter().filter(|fault| fault.message.key == "machine-check-axis-metric").count()
+    };
+    assert_eq!(told(format!("{axis}MD10240=0"), Some(2.0)), 1);
+    assert_eq!(told(format!("{axis}MD10240=0"), None), 0);
+    assert_eq!(told(format!("{axis}MD10240=1"), Some(2.0)), 0);
+}
+
 // oracle: hand (the same values, as one repeated and as a list), manual A:15891 (61349: the depth is 0)
 #[test]
 fn repeated_values_are_checked_like_a_list() {
