@@ -312,6 +312,7 @@ sentences! {
     NEWER_NO_LIST 238 Warning "newer-no-list" "newer-no-list-hint";
     OLDER_NEW 239 Note "older-new" "";
     OLDER_IDLE 240 Note "older-idle" "";
+    DEFINED_HERE 241 Note "defined-here" "defined-here-hint";
 }
 
 #[cfg(all(test, feature = "cli"))]

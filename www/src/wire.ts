@@ -2655,6 +2655,8 @@ export type ReadBack = {
   definitions: Array<string>,
   /** Arrays whose size no datum counts and that is another one than is delivered; absent: none. */
   sizes?: Message,
+  /** Lines of which a value or a size cannot be read: the machine keeps what it has there. */
+  unread: Array<MachineFault>,
   /** In words. */
   ending: Message,
 };

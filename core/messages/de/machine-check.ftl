@@ -2,10 +2,12 @@
 
 machine-check-nothing = Nichts in diesem Text ist ein Maschinendatum oder Anwenderdatum, das zum Messen nötig ist: eine Datei mit Maschinendaten (.TEA, INITIAL.INI), eine Definitionsdatei oder ein Serieninbetriebnahme-Archiv in Textform wählen.
 machine-check-ending = Verglichene Daten: { $read }. Fehler: { $errors }. Warnungen: { $warnings }. Hinweise: { $notes }. Andere Zuweisungen in den Dateien: { $others }.
-machine-check-unread = Der Wert ist nicht lesbar: { $value }
+machine-check-unread = Der Wert ist nicht lesbar: { $value } So schreiben: 7, (1,0,2), SET(1,,2) oder REP(0).
+machine-check-unread-size = Größe oder Index des Feldes ist nicht lesbar: { $value } Ganze Zahlen schreiben: [2,10].
 machine-check-unlike = Die Nummer { $value } gehört zu einem anderen Datum: Die Steuerung liest den Bezeichner.
 machine-check-positive = { $value } ist nicht möglich: Der Wert muss über 0 liegen. Damit wird kein Bremsweg berechnet.
 machine-check-no-axis = Ohne { $data } wird kein Vorschub mit der zulässigen Auslenkung verglichen.
+machine-check-axis-metric = Diese Steuerung ist in Zoll; { "MD32300" } zählt hier in m/s², { "MD32200" } in (m/min)/mm. Eine Verzögerung in inch/s² mit 0,0254 multiplizieren.
 machine-check-twice = Zweimal mit verschiedenen Werten vorhanden: { $before }, dann { $value }. Der letzte gilt.
 machine-check-low = { $value } ist zu klein; mindestens { $limit }.
 machine-check-high = { $value } ist zu groß; höchstens { $limit }.

@@ -71,6 +71,7 @@ report-column-when = wann
 # Das Terminalprogramm selbst: was es zu falscher Bedienung sagt, und Namen dessen, was es ausgibt.
 
 terminal-error = Fehler
+terminal-braking-nothing = Es ist nichts gefragt: --feed für den Bremsweg angeben, --deflection für den größten Vorschub, oder beides.
 terminal-language = Es gibt keine Sprache { $code }, nur { $known }
 terminal-cycle = Es gibt keinen Zyklus { $name }; „probewright cycles“ listet alle auf
 terminal-cycle-control = { $name } ist kein Zyklus der Steuerung in der Datei mit der Maschineneinrichtung; „probewright cycles“ listet alle auf

@@ -159,3 +159,5 @@ run-deviation = { $word } misst { $deviation } mm hinter der Berührung in Mess
 run-search-missed = Der Satzsuchlauf hat Zeile { $line } nicht erreicht: Alle Messzyklen wurden übersprungen.
 run-search-target = Der Satzsuchlauf hat kein Suchziel: Alle Messzyklen wurden übersprungen. Die Zeile eingeben, an der er endet.
 run-mode-none = NCT-Steuerungen haben die Betriebsart { $word } hier nicht: Das Programm lief wie in AUTOMATIK.
+defined-here = Messdaten hat die Maschine mit anderen Werten oder Größen als diese Definitionsdatei; die der Maschine zählen: { $names }.
+defined-here-hint = Zum Übernehmen der Datei: „Definitionsdateien“, „Dateien zurücklesen“ oder probewright definitions --save.

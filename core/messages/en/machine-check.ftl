@@ -2,10 +2,12 @@
 
 machine-check-nothing = Nothing in this text is a machine datum or user datum that measuring needs: choose a file of machine data (.TEA, INITIAL.INI), a definition file or a series archive in text form.
 machine-check-ending = Data compared: { $read }. Errors: { $errors }. Warnings: { $warnings }. Notes: { $notes }. Other assignments in the files: { $others }.
-machine-check-unread = The value cannot be read: { $value }
+machine-check-unread = The value cannot be read: { $value } Write it like 7, (1,0,2), SET(1,,2) or REP(0).
+machine-check-unread-size = The size or index of the array cannot be read: { $value } Write whole numbers, like [2,10].
 machine-check-unlike = The number { $value } is that of another datum: the control reads the identifier.
 machine-check-positive = { $value } is not possible: the value must be above 0. No braking path is calculated with it.
 machine-check-no-axis = Without { $data } no feed is held against the permitted deflection.
+machine-check-axis-metric = This control is in inches; { "MD32300" } is taken in m/s², { "MD32200" } in (m/min)/mm. Multiply a deceleration in inch/s² by 0.0254.
 machine-check-twice = Given twice with different values: { $before }, then { $value }. The last one counts.
 machine-check-low = { $value } is too low; at least { $limit }.
 machine-check-high = { $value } is too high; at most { $limit }.

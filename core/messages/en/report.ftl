@@ -75,6 +75,7 @@ report-column-when = when
 # The terminal program itself: what it says about a wrong use, and names of what it prints.
 
 terminal-error = error
+terminal-braking-nothing = Nothing is asked: give --feed for the braking path, --deflection for the largest feed, or both.
 terminal-language = there is no language { $code }; available: { $known }
 terminal-cycle = there is no cycle { $name }; “probewright cycles” lists them
 terminal-cycle-control = { $name } is not a cycle of the control in the setup file; “probewright cycles” lists them

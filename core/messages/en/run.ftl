@@ -159,3 +159,5 @@ run-deviation = { $word } measures { $deviation } mm beyond the touch in the me
 run-search-missed = The block search did not reach line { $line }: all measuring cycles were skipped.
 run-search-target = The block search has no target: all measuring cycles were skipped. Enter the line at which it ends.
 run-mode-none = NCT controls do not have the mode { $word } here: the program ran as in AUTOMATIC.
+defined-here = The machine has other values or sizes of measuring data than this definition file, and they count: { $names }.
+defined-here-hint = To take the file over: “Definition files”, “Read files back”, or probewright definitions --save.

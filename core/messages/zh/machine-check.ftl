@@ -2,10 +2,12 @@
 
 machine-check-nothing = 此文本中没有测量所需的机床数据或用户数据：请选择机床数据文件（.TEA、INITIAL.INI）、定义文件或文本形式的批量调试存档。
 machine-check-ending = 已比较的数据：{ $read }。错误：{ $errors }。警告：{ $warnings }。提示：{ $notes }。文件中的其他赋值：{ $others }。
-machine-check-unread = 无法读取该值：{ $value }
+machine-check-unread = 无法读取数值：{ $value } 请写成 7、(1,0,2)、SET(1,,2) 或 REP(0)。
+machine-check-unread-size = 无法读取数组的大小或下标：{ $value } 请写整数，例如 [2,10]。
 machine-check-unlike = 编号 { $value } 属于另一个数据：控制系统读取标识符。
 machine-check-positive = { $value } 无效：该值必须大于 0，不用它计算制动距离。
 machine-check-no-axis = 缺少 { $data }，不将进给率与允许偏转量比较。
+machine-check-axis-metric = 此控制系统为英制；{ "MD32300" } 按 m/s² 计，{ "MD32200" } 按 (m/min)/mm 计。以 inch/s² 给出的减速度请乘以 0.0254。
 machine-check-twice = 两次给出不同的值：先为 { $before }，后为 { $value }。以最后一个为准。
 machine-check-low = { $value } 太小；至少为 { $limit }。
 machine-check-high = { $value } 太大；最大为 { $limit }。

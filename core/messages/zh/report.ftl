@@ -71,6 +71,7 @@ report-column-when = 条件
 # 终端程序自身：使用错误时的提示，以及输出内容的名称。
 
 terminal-error = 错误
+terminal-braking-nothing = 没有要计算的内容：用 --feed 求制动行程，用 --deflection 求最大进给，或两者都给。
 terminal-language = 没有语言 { $code }；可用：{ $known }
 terminal-cycle = 没有循环 { $name }；用“probewright cycles”列出全部循环
 terminal-cycle-control = { $name } 不是机床配置文件中控制系统的循环；用“probewright cycles”列出全部循环

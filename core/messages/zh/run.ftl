@@ -159,3 +159,5 @@ run-deviation = { $word } 的测量位置沿测量方向超出接触点 { $devia
 run-search-missed = 程序段搜索没有到达第 { $line } 行：跳过了所有测量循环。
 run-search-target = 程序段搜索没有目标：跳过了所有测量循环。请输入搜索结束的行。
 run-mode-none = NCT 控制系统在此没有运行方式 { $word }：程序按自动方式执行。
+defined-here = 机床中测量数据的数值或大小与本定义文件不同，以机床的为准：{ $names }。
+defined-here-hint = 要采用此文件：“定义文件和赋值程序”、“读回文件”，或 probewright definitions --save。

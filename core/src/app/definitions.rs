@@ -3,7 +3,7 @@
 
 use super::Error;
 use super::machine::{MachineField, MachineView, with_values};
-use super::machine_check::{Exported, ExportedFile, Given, TO_ENTER};
+use super::machine_check::{Exported, ExportedFile, Files, Given, MachineFault, TO_ENTER, unread};
 use super::start::{Machine, start};
 use crate::control::arrays::stem;
 use crate::control::gud::{self, Block, Gud};
@@ -244,6 +244,8 @@ pub struct ReadBack {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(test, ts(optional))]
     pub sizes: Option<Message>,
+    /// Lines of which a value or a size cannot be read: the machine keeps what it has there.
+    pub unread: Vec<MachineFault>,
     /// In words.
     pub ending: Message,
 }
@@ -292,7 +294,8 @@ pub fn read_back(asked: ReadBackRequest) -> Result<ReadBack, Error> {
         machine.groups.iter().flat_map(|group| &group.fields).map(|field| field.setting.name.as_str()).collect();
     let of_files = |name: &&String| !becomes_newer || *name != GENERATION;
     let read = told.iter().filter(|name| there.contains(name.as_str())).count();
-    if read == 0 && given.sizes.is_empty() {
+    let unread = unread(&given, &Files { files: &asked.files });
+    if read == 0 && given.sizes.is_empty() && unread.is_empty() {
         return Err(Error::new("machine-check-nothing", Path::default()));
     }
     let (had, has, rebuilt) = (shown(&before), shown(&machine), before.basic != machine.basic);
@@ -302,8 +305,8 @@ pub fn read_back(asked: ReadBackRequest) -> Result<ReadBack, Error> {
     let ending = Message::new(if becomes_newer { "definitions-read-newer" } else { "definitions-read" })
         .number("read", read as f64)
         .number("changed", changed as f64)
-        .number("problems", machine.problems.len() as f64);
-    Ok(ReadBack { read, changed, definitions, sizes, ending, machine })
+        .number("problems", (machine.problems.len() + unread.len()) as f64);
+    Ok(ReadBack { unread, read, changed, definitions, sizes, ending, machine })
 }
 
 /// The basic system of the control that wrote the files: MD 10240 says it, else the switches that follow it, which say
@@ -659,6 +662,19 @@ mod tests {
         let setup = own(json!({ "PW-GENERATION": 2 }));
         let back = read_back(ReadBackRequest { setup, files: files() }).unwrap();
         assert_eq!(back.machine.data["PW-GENERATION"], Value::Number(2.0));
+    }
+
+    // oracle: hand (four times 1; the line that cannot be read leaves the machine as it is)
+    #[test]
+    fn repeated_values_are_taken_and_unreadable_ones_are_told() {
+        let text = "DEF NCK INT _CVAL[4]=REP(1)\nDEF CHAN REAL _SPEED[4]=(50,abc)\nDEF NCK REAL _TP[1+1,10]\n";
+        let (back, _) = read_and_written(text, json!({ "data": { "_SPEED[1]": 700 } }));
+        let counts = ["_CVAL[0]", "_CVAL[3]", "_SPEED[1]"].map(|name| back.machine.data.get(name).cloned());
+        assert_eq!(counts, [1.0, 1.0, 700.0].map(|number| Some(Value::Number(number))));
+        let told: Vec<_> = back.unread.iter().map(|one| (&*one.name, one.place.as_ref().unwrap().line)).collect();
+        assert_eq!((told, back.machine.problems.len()), (vec![("_SPEED", 2), ("_TP", 3)], 0));
+        let ending = Message::new("definitions-read").number("read", 4.0).number("changed", 4.0);
+        assert_eq!(back.ending, ending.number("problems", 2.0));
     }
 
     // oracle: manual B:13726 (_SPEED[0] is a percentage)

@@ -5,10 +5,12 @@ use super::finding::Finding;
 use super::start::{Machine, start};
 use crate::check;
 use crate::control::{Control, Units, Value, more_fields, rebuilt};
+use crate::diagnostic::{Diagnostic, Severity};
 use crate::dialect::Dialect;
 use crate::entry::Typed;
-use crate::form::machine::{Entry, Group, Refusal, Setting, accept, groups};
+use crate::form::machine::{Entry, Group, Refusal, Setting, accept, doubt, doubts, groups};
 use crate::message::Message;
+use crate::own;
 use crate::program::write::machine::{assignments, definitions};
 use crate::program::write::setting_data;
 use serde::{Deserialize, Serialize};
@@ -207,8 +209,19 @@ fn field(setting: Setting, control: &Control, delivered: &Control) -> MachineFie
         let key = array.trim_matches('_').to_lowercase().replace('_', "-");
         Message::new(format!("machine-field-{key}")).number("number", number as f64)
     });
-    let warned = check::braking::of_datum(control, &setting.name).map(|found| Finding::of(&found));
+    let outside = || doubt(control, &setting).map(|(_, refusal)| outside(refusal));
+    let warned = check::braking::of_datum(control, &setting.name).or_else(outside).map(|found| Finding::of(&found));
     MachineField { setting, set, value: if value == fallback { String::new() } else { value }, fallback, warned }
+}
+
+/// A value outside of what is allowed, which a setup file or a program gave.
+fn outside(refusal: Refusal) -> Diagnostic {
+    Diagnostic::new(Severity::Warning, own::RANGE.code(), refusal.message).hint(refusal.hint)
+}
+
+/// The data of a machine that are none of the values that they can have.
+pub fn machine_doubts(control: &Control) -> Vec<MachineProblem> {
+    doubts(control).into_iter().map(|(name, refusal)| MachineProblem { name, refusal }).collect()
 }
 
 /// A datum as it would be typed; empty where nothing is known of it.
@@ -259,6 +272,41 @@ mod tests {
         assert_eq!(field(&again, "_WP[0,0]").unwrap()["fallback"], "6");
         let back = ask(&own(&data), &json!({ "_WP[0,0]": "", "_CBIT[2]": "0", "MD28082": "", "_PROTNAME[1]": " " }));
         assert_eq!(back["data"], json!({}));
+    }
+
+    // oracle: manual B:13064-13069 (MD11420 1 to 1000000), B:13594 (MD10240 0 or 1), self (the form refuses the same)
+    #[test]
+    fn a_value_that_a_setup_has_outside_of_its_limits_is_told() {
+        let data =
+            json!({ "MD11420": 0, "_MT_COMP": 9, "_SPEED[0]": 120, "_SPEED[1]": 0, "_CHBIT[2]": 0, "MD10132": 1.5 });
+        let warned = |data: &Value| {
+            let view = ask(&own(data), &json!({}));
+            let groups = view["groups"].as_array().unwrap().clone();
+            let fields = groups.iter().flat_map(|group| group["fields"].as_array().unwrap().clone());
+            fields.filter(|one| one["warned"].is_object()).map(|one| one["name"].as_str().unwrap().to_owned()).collect()
+        };
+        let told: Vec<String> = warned(&data);
+        assert_eq!(told.len(), 3, "{told:?}");
+        assert!(["MD11420", "_MT_COMP", "_SPEED[0]"].iter().all(|name| told.iter().any(|one| one == name)), "{told:?}");
+        for (name, wrong) in
+            [("MD11420", -1.0), ("MD11420", 1.5), ("MD10240", 5.0), ("_CBIT[0]", 2.0), ("MD13200[0]", 2.0)]
+        {
+            assert_eq!(warned(&json!({ name: wrong })), [name]);
+            let typed = ask(&own(&json!({})), &json!({ name: wrong.to_string() }));
+            assert_eq!(typed["problems"][0]["name"], name);
+        }
+    }
+
+    // oracle: self (what is delivered is within the limits of its tables)
+    #[test]
+    fn a_machine_as_delivered_has_nothing_outside_of_its_limits() {
+        use crate::control::{Units, delivery_in};
+        use crate::dialect::Dialect;
+        for (dialect, units) in
+            [(Dialect::Sinumerik, Units::Metric), (Dialect::Sinumerik, Units::Inch), (Dialect::Nct, Units::Metric)]
+        {
+            assert_eq!(super::machine_doubts(&delivery_in(dialect, units)), [], "{dialect:?} {units:?}");
+        }
     }
 
     // oracle: manual B:828, B:10100 (2 in most cases, 0 for a drill): neither is delivered, so that 0 is said too

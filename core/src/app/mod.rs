@@ -92,7 +92,7 @@ pub use foreign::{ForeignCallView, ForeignFigure, ForeignLog, ForeignParameter, 
 pub use form::{FormRequest, FormView, LoggedCall, form};
 pub use help::{HelpRequest, HelpResult, HelpSection, HelpText, HelpView, help};
 pub use jog::{JogLine, JogPoint, JogResult, JogView, JogWrong, jog};
-pub use machine::{MachineField, MachineGroup, MachineProblem, MachineRequest, MachineView, machine};
+pub use machine::{MachineField, MachineGroup, MachineProblem, MachineRequest, MachineView, machine, machine_doubts};
 pub use machine_check::{
     ExportedFile, MachineAxis, MachineCheckRequest, MachineCheckView, MachineFault, MachineLimit, MachinePlace,
     machine_check,
@@ -116,7 +116,7 @@ pub use protocol::{Arrow, ProtocolColumns, ProtocolLine, ProtocolRequest, Protoc
 pub use record::{
     CalibrationState, ProbeOfCall, Record, RecordAbout, RecordFile, TableCall, TableRequest, csv, record_table,
 };
-pub use repeat::{RepeatFound, RepeatRequest, RepeatTrend, RepeatView, repeat, repeat_on};
+pub use repeat::{RepeatFound, RepeatRequest, RepeatTrend, RepeatView, repeat, repeat_on, repeat_texts};
 pub use run::{OfCall, Run, RunAlarm, RunAnswer, RunAssumed, RunDecision, RunRequest, RunResult, RunView};
 pub use scan::{Scan, ScanRequest, ScanView, SurfaceChoice, put_surface};
 pub use scenario::{

@@ -135,14 +135,9 @@ pub fn repeat(mut asked: RepeatRequest) -> Result<RepeatView, Error> {
 /// # Errors
 /// As those of [`repeat`].
 pub fn repeat_on(asked: &RepeatRequest, setup: Setup) -> Result<RepeatView, Error> {
-    if setup.control.dialect != Dialect::Sinumerik {
-        return Err(Error::new("repeat-control", Path::of(&["setup", "control"])));
-    }
-    let (test, (count, first)) = (test(asked, &setup)?, whole(asked)?);
-    let said = |key: &str| asked.words.as_ref().and_then(|words| words.get(key)).cloned();
-    let words = |key: &str| said(key).unwrap_or_else(|| key.to_owned());
+    let [function, program] = repeat_texts(asked, &setup)?;
+    let (test, (count, _)) = (test(asked, &setup)?, whole(asked)?);
     let machine = asked.machine.unwrap_or(false);
-    let keep = first.map_or(Keep::Array, Keep::Parameters);
     let factor = setup.control.active_units.factor();
     let mut notes = beside(&test, &setup, factor);
     let mut lines = Vec::new();
@@ -154,8 +149,8 @@ pub fn repeat_on(asked: &RepeatRequest, setup: Setup) -> Result<RepeatView, Erro
             if setup.probe.repeatability.0 == 0.0 {
                 notes.push(Message::new("repeat-no-scatter"));
             }
-            let program = test.repeat(count, Keep::Parameters(FIRST), machine, &|key| key.to_owned());
-            touched(&program, &test, count, setup.clone(), factor)?
+            let touching = test.repeat(count, Keep::Parameters(FIRST), machine, &|key| key.to_owned());
+            touched(&touching, &test, count, setup.clone(), factor)?
         }
     };
     let inch = factor != 1.0;
@@ -164,14 +159,30 @@ pub fn repeat_on(asked: &RepeatRequest, setup: Setup) -> Result<RepeatView, Erro
     notes.extend(doubts(&repeat, inch));
     lines.extend(told(&repeat, inch));
     Ok(RepeatView {
-        function: test.function(&words),
-        program: test.repeat(count, keep, machine, &words),
+        function,
+        program,
         says: SAYS,
         unit: if inch { "inch" } else { "mm" },
         told: lines,
         notes,
         found: found(values, &repeat),
     })
+}
+
+/// The texts of the two programs, of one touch and of repeated ones, whatever they come to.
+///
+/// # Errors
+/// What cannot be tested: which member is at fault.
+pub fn repeat_texts(asked: &RepeatRequest, setup: &Setup) -> Result<[String; 2], Error> {
+    if setup.control.dialect != Dialect::Sinumerik {
+        return Err(Error::new("repeat-control", Path::of(&["setup", "control"])));
+    }
+    let (test, (count, first)) = (test(asked, setup)?, whole(asked)?);
+    let said = |key: &str| asked.words.as_ref().and_then(|words| words.get(key)).cloned();
+    let words = |key: &str| said(key).unwrap_or_else(|| key.to_owned());
+    let keep = first.map_or(Keep::Array, Keep::Parameters);
+    let machine = asked.machine.unwrap_or(false);
+    Ok([test.function(&words), test.repeat(count, keep, machine, &words)])
 }
 
 /// What is to be touched.

@@ -70,13 +70,20 @@ pub enum First {
     Same(Value, usize),
 }
 
-impl Definition {
-    /// The value that an element begins with; none: that of its type.
+impl First {
+    /// The value of an element; none: it has none.
     pub fn begins(&self, element: usize) -> Option<&Value> {
-        match &self.first {
+        match self {
             First::Each(values) => values.get(element)?.as_ref(),
             First::Same(value, count) => (element < *count).then_some(value),
         }
+    }
+}
+
+impl Definition {
+    /// The value that an element begins with; none: that of its type.
+    pub fn begins(&self, element: usize) -> Option<&Value> {
+        self.first.begins(element)
     }
 
     /// How many elements it has.

@@ -223,9 +223,13 @@ fn of_machine_datum(datum: &'static machine_data::MachineDatum) -> Vec<Setting> 
         also: String::new(),
         key: datum.key(),
         field: None,
-        entry: if datum.text { Entry::Text } else { Entry::Real },
+        entry: match datum.text {
+            true => Entry::Text,
+            false if datum.is_whole() => Entry::Integer,
+            false => Entry::Real,
+        },
         unit: datum.unit,
-        range: Range::ANY,
+        range: datum.range(),
         source: Cited(datum.source),
     };
     datum.names().into_iter().map(setting).collect()
@@ -291,6 +295,36 @@ pub fn accept(setting: &Setting, text: &str) -> Result<Value, Refusal> {
         return Err(Refusal::new(Message::new("check-not-whole").number("value", number)));
     }
     allowed(setting, number).map(|()| Value::Number(number))
+}
+
+/// Data of a machine that are no values of their settings, as the form and the check of a machine refuse them: a setup
+/// file may have them, as a program may write them.
+pub fn doubts(control: &Control) -> Vec<(String, Refusal)> {
+    groups(control).iter().flat_map(|group| &group.settings).filter_map(|setting| doubt(control, setting)).collect()
+}
+
+/// Why the value that a machine has is none of a setting.
+pub fn doubt(control: &Control, setting: &Setting) -> Option<(String, Refusal)> {
+    let Some(Value::Number(number)) = control.data.get(&setting.name) else { return None };
+    let switch = |name: &str| match control.data.get(name) {
+        Some(Value::Number(number)) => Some(*number),
+        _ => None,
+    };
+    if setting.entry == Entry::Text || !has_effect(&setting.name, switch) {
+        return None;
+    }
+    let refusal = accept(setting, &number.to_string()).err()?;
+    Some((setting.name.clone(), refusal))
+}
+
+/// Whether it matters what a datum is: no speed of positioning does with collision monitoring off (B:13751-13763), no
+/// direction of rotation where the cycle has the speed.
+pub fn has_effect(name: &str, switch: impl Fn(&str) -> Option<f64>) -> bool {
+    match name {
+        "_SPEED[1]" | "_SPEED[2]" => switch("_CHBIT[2]") != Some(0.0),
+        "_CM[5]" => switch("_CBIT[12]") != Some(1.0),
+        _ => true,
+    }
 }
 
 /// A text that fits between quotation marks.

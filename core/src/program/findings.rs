@@ -43,11 +43,12 @@ pub fn findings_of(program: &Program, sites: &[CallSite], control: &Control) -> 
     };
     let advice = advice(program, sites, control);
     let defined = definitions::of_text(program, &programs(program));
+    let here = super::defined_here::finding(&defined, control);
     // of a name that is an axis the rules for blocks tell
     let defined = defined.findings().filter(|found| found.message.key != "run-axis-name");
     let calls = sites.iter().flat_map(|site| site.diagnostics.iter().cloned());
     let mut found: Vec<Diagnostic> =
-        syntax.chain(blocks).chain(defined).chain(calls).chain(advice).chain(of_places(program)).collect();
+        syntax.chain(blocks).chain(defined).chain(here).chain(calls).chain(advice).chain(of_places(program)).collect();
     for one in &mut found {
         place(program, one);
     }

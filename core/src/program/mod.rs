@@ -11,6 +11,7 @@ pub mod change;
 pub mod compared;
 pub mod convert;
 pub mod cure;
+pub mod defined_here;
 mod findings;
 pub mod flow;
 mod held;

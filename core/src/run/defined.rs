@@ -7,6 +7,7 @@ use crate::control::variables::{component, set_component};
 use crate::control::{AXES, Definition, Frame, Value, arrays};
 use crate::diagnostic::Span;
 use crate::problem::Problem;
+use crate::program::defined_here;
 use std::rc::Rc;
 use std::sync::Arc;
 
@@ -26,6 +27,9 @@ pub fn add(run: &mut Interpreter) {
     let program = Rc::clone(&run.program);
     let found = crate::syntax::definitions::of_text(&program, &run.programs);
     for finding in found.findings() {
+        run.tell_once(finding);
+    }
+    if let Some(finding) = defined_here::finding(&found, &run.sim.control) {
         run.tell_once(finding);
     }
     if !found.definitions.is_empty() {

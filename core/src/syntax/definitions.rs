@@ -18,8 +18,23 @@ use std::sync::Arc;
 pub struct Defined {
     /// What it adds to the control.
     pub definitions: Definitions,
+    /// Data of the measuring cycles in it, which are on every control.
+    pub measuring: Vec<Measuring>,
     /// What is wrong with it; what is not defined then, is left out.
     pub problems: Vec<Problem>,
+}
+
+/// A datum of the measuring cycles, as a definition file has it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Measuring {
+    /// Its name.
+    pub name: String,
+    /// Where the name stands.
+    pub place: Span,
+    /// Sizes of an array.
+    pub sizes: Vec<usize>,
+    /// First values.
+    pub first: First,
 }
 
 impl Defined {
@@ -123,9 +138,12 @@ impl Defined {
     /// Adds a datum; one of the measuring cycles is on every control, with the values of the machine: of that its size.
     fn add(&mut self, name: String, datum: Definition, word: &Word) {
         if let Some(gud) = gud::find(&name) {
-            if !datum.sizes.is_empty() && datum.sizes.len() == gud.sizes.len() {
-                self.definitions.sizes.insert(name, datum.sizes);
+            let Definition { sizes, first, .. } = datum;
+            if !sizes.is_empty() && sizes.len() == gud.sizes.len() {
+                self.definitions.sizes.insert(name.clone(), sizes.clone());
             }
+            let place = word.declared().unwrap_or(word.span);
+            self.measuring.push(Measuring { name, place, sizes, first });
             return;
         }
         match self.definitions.data.entry(name) {

@@ -36,6 +36,8 @@ fn a_variable_keeps_its_type() {
         assert_eq!(fault(text), key, "{text}");
     }
     assert_eq!(findings("DEF INT A\nDEF INT A"), ["run-declared-twice"]);
+    let beside = "R1=_SPEED[1]\nM30\n%_N_GUD6_DEF\nDEF CHAN REAL _SPEED[4]=(10,20,30,40)\nM17";
+    assert_eq!(findings(beside), ["defined-here"]);
 }
 
 // oracle: hand

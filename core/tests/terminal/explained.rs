@@ -144,6 +144,13 @@ fn braking_tells_path_and_feed() {
     assert!(told.contains("12.6\u{a0}mm: 1.6\u{a0}mm until") && told.contains("1372.4\u{a0}mm/min"), "{told}");
     let view: serde_json::Value = serde_json::from_str(&out(&asked(&["--feed", "6000", "--json"]))).unwrap();
     assert!((view["path"]["sum"].as_f64().unwrap() - 12.6).abs() < 1e-9 && view["feed"].is_null());
+    let nothing = asked(&[]);
+    assert_eq!((nothing.status.code(), out(&nothing)), (Some(2), String::new()));
+    assert!(err(&nothing).contains("--feed") && err(&nothing).contains("--deflection"), "{}", err(&nothing));
+    for name in ["--feed", "--deflection"] {
+        let negative = err(&asked(&[name, "-100"]));
+        assert!(negative.contains("-100") && !negative.contains("-1 "), "{negative}");
+    }
     for wrong in ["--feed=-1", "--deflection=-2", "--deflection=0"] {
         assert_eq!(asked(&[wrong]).status.code(), Some(2), "{wrong}");
     }

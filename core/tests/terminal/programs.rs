@@ -626,6 +626,43 @@ fn a_number_that_two_macros_have_is_not_written_for_the_second() {
     }
 }
 
+// oracle: hand (a name of the catalogue is the same macro on every machine; the message has the name that was written)
+#[test]
+fn write_takes_a_name_of_the_catalogue_for_its_macro() {
+    let text =
+        br#"{ "control": "nct", "data": { "P9049": 110, "P9050": 109 }, "probe": { "radius": 3, "length": 50 } }"#;
+    let swapped = file("swapped.json", text);
+    let written = out(&probewright(&["write", "G110", "D=50", "S=1", "--setup", &swapped]));
+    assert!(written.contains("G109") && written.contains("D50"), "{written}");
+    let refused = err(&probewright(&["write", "G120", "NONE=50", "--setup", &renumbered()]));
+    assert!(refused.contains("G120") && refused.contains("NONE"), "{refused}");
+}
+
+// oracle: hand (the program is what is asked for; that the simulated probe does not switch is beside it)
+#[test]
+fn a_probe_test_is_printed_whatever_its_touches_come_to() {
+    for text in ["--function", "--program"] {
+        let done = probewright(&["repeat", text, "--from", "0", "--to", "0.1"]);
+        assert_eq!(done.status.code(), Some(0), "{text}: {}", err(&done));
+        assert!(out(&done).contains("MEAS"), "{}", out(&done));
+    }
+    let negative = err(&probewright(&["repeat", "--parameters", "-1"]));
+    assert!(negative.contains("10,000") || negative.contains("10000"), "{negative}");
+}
+
+// oracle: manual B:13064-13069 (MD11420 is 1 to 1000000)
+#[test]
+fn a_setup_with_a_value_outside_of_its_limits_is_told() {
+    let text = br#"{ "control": "sinumerik", "data": { "MD11420": 0, "_MT_COMP": 9 }, "probe": { "radius": 3, "length": 50 } }"#;
+    let setup = file("outside.json", text);
+    let path = file("outside.mpf", b"G0 X1\nM30\n");
+    let done = probewright(&["run", &path, "--setup", &setup]);
+    assert_eq!(done.status.code(), Some(0), "{}", err(&done));
+    assert!(err(&done).contains("warning: MD11420") && err(&done).contains("warning: _MT_COMP"), "{}", err(&done));
+    let fine = probewright(&["run", &path, "--setup", &example_setup()]);
+    assert!(!err(&fine).contains("warning"), "{}", err(&fine));
+}
+
 // oracle: hand (a search ends somewhere)
 #[test]
 fn a_block_search_asks_for_its_target() {

@@ -128,8 +128,12 @@ export function openDefinitions(core: ProgramCore, machine: OfMachine, end: Abor
     machine.take(answer.machine, answer.definitions);
     draw();
     const refused = answer.machine.problems.map(one => `${one.name}: ${say(one.message)} ${say(one.hint)}`);
+    const unread = answer.unread.map(one => {
+      const place = one.place ? `${one.place.file}:${one.place.line}: ` : "";
+      return `${place}${one.name}: ${say(one.message)}`;
+    });
     const sizes = answer.sizes ? [say(answer.sizes)] : [];
-    read.textContent = [say(answer.ending), ...sizes, ...refused].join(" ");
+    read.textContent = [say(answer.ending), ...sizes, ...unread, ...refused].join(" ");
   };
   on(channels, "input", draw);
   on(jog, "change", draw);

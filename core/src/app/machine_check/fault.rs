@@ -173,18 +173,25 @@ impl MachineFault {
 
 /// Lines that cannot be read, data with the number of another, and data that are given twice.
 pub fn odd(given: &Exported, files: &Files) -> Vec<MachineFault> {
-    let fault = |severity, key: &'static str, odd: &Odd| {
-        let source = gud::place(&odd.name).and_then(|(gud, at)| gud.element(&at)).map(|element| element.source);
-        let source = source.or_else(|| machine_datum(&odd.name).map(|datum| datum.source)).unwrap_or_default();
-        let message = Message::new(key).text("value", &odd.texts[0]).text("before", &odd.texts[1]);
-        MachineFault::new(severity, &odd.name, message, source).channel(odd.channel).at(Some(files.told(odd.place)))
-    };
-    let unread = given.unread.iter().map(|odd| fault(Severity::Error, "machine-check-unread", odd));
+    let fault = |severity, key: &'static str, odd: &Odd| fault_of(severity, key, odd, files);
     let unlike = given.unlike.iter().map(|odd| fault(Severity::Warning, "machine-check-unlike", odd));
-    unread
-        .chain(unlike)
-        .chain(given.twice.iter().map(|odd| fault(Severity::Warning, "machine-check-twice", odd)))
-        .collect()
+    let twice = given.twice.iter().map(|odd| fault(Severity::Warning, "machine-check-twice", odd));
+    unread(given, files).into_iter().chain(unlike).chain(twice).collect()
+}
+
+/// Lines of which a value or a size cannot be read.
+pub fn unread(given: &Exported, files: &Files) -> Vec<MachineFault> {
+    let values = given.unread.iter().map(|odd| fault_of(Severity::Error, "machine-check-unread", odd, files));
+    let sizes = given.unsized_arrays.iter();
+    values.chain(sizes.map(|odd| fault_of(Severity::Error, "machine-check-unread-size", odd, files))).collect()
+}
+
+/// What is wrong with a line.
+fn fault_of(severity: Severity, key: &'static str, odd: &Odd, files: &Files) -> MachineFault {
+    let source = gud::place(&odd.name).and_then(|(gud, at)| gud.element(&at)).map(|element| element.source);
+    let source = source.or_else(|| machine_datum(&odd.name).map(|datum| datum.source)).unwrap_or_default();
+    let message = Message::new(key).text("value", &odd.texts[0]).text("before", &odd.texts[1]);
+    MachineFault::new(severity, &odd.name, message, source).channel(odd.channel).at(Some(files.told(odd.place)))
 }
 
 fn delivered(datum: &MachineDatum) -> Vec<String> {

@@ -4,7 +4,7 @@ use super::fault::{Files, MachineFault, identified};
 use super::read::{Exported, Given, shown};
 use crate::control::braking::{self, Braking};
 use crate::control::needs::Use;
-use crate::control::{Value, arrays, gud};
+use crate::control::{BASIC_SYSTEM, Value, arrays, gud};
 use crate::diagnostic::Severity;
 use crate::message::Message;
 use serde::Serialize;
@@ -68,6 +68,14 @@ pub fn unchecked(given: &Exported) -> Option<MachineFault> {
     Some(MachineFault::new(Severity::Warning, *all.first()?, message, "B:1149-1161;A:1095-1115"))
 }
 
+/// In which units the data of the axis count, where the control is one in inch: the manual prints them metric only.
+pub fn metric(given: &Exported) -> Option<MachineFault> {
+    let basic = given.channels().into_iter().find_map(|channel| given.number(BASIC_SYSTEM, channel));
+    let message = Message::new("machine-check-axis-metric");
+    let told = MachineFault::new(Severity::Note, "MD32300", message, "B:1149-1161;A:1095-1115");
+    (basic == Some(0.0) && axis(given).is_some()).then_some(told)
+}
+
 /// Data of axes that no axis has: no braking path follows from them.
 pub fn impossible(given: &Exported, files: &Files) -> Vec<MachineFault> {
     let of_axis = |name: &str| braking::DATA.contains(&arrays::stem(name));
@@ -94,7 +102,7 @@ pub fn faults(given: &Exported, files: &Files, without: &[Use], deflection: f64)
                 continue;
             }
             // the data of JOG are metric in every system (B:14250)
-            let inch = !of_jog && given.number("MD10240", channel) == Some(0.0);
+            let inch = !of_jog && given.number(BASIC_SYSTEM, channel) == Some(0.0);
             let (unit, step) = if inch { (25.4, 10.0) } else { (1.0, 1.0) };
             let path = braking.parts(feed * unit).sum();
             if path.is_nan() || path <= deflection {

@@ -18,7 +18,7 @@ use super::Error;
 use crate::control::needs::{NEEDS, Use};
 use crate::diagnostic::Severity;
 use crate::message::Message;
-use fault::Files;
+pub(super) use fault::{Files, unread};
 pub(super) use read::{Exported, Given};
 use serde::{Deserialize, Serialize};
 
@@ -79,7 +79,8 @@ pub fn machine_check(asked: MachineCheckRequest) -> Result<MachineCheckView, Err
     for (file, one) in asked.files.iter().enumerate() {
         given.add(file, &one.text);
     }
-    if given.data.is_empty() && given.sizes.is_empty() && given.unread.is_empty() {
+    let any_unread = !given.unread.is_empty() || !given.unsized_arrays.is_empty();
+    if given.data.is_empty() && given.sizes.is_empty() && !any_unread {
         return Err(Error::new("machine-check-nothing", crate::refused::Path::default()));
     }
     let files = Files { files: &asked.files };
@@ -90,6 +91,7 @@ pub fn machine_check(asked: MachineCheckRequest) -> Result<MachineCheckView, Err
     let deflection = asked.deflection;
     faults.extend(deflection.iter().flat_map(|most| feeds::faults(&given, &files, &asked.without, *most)));
     faults.extend(deflection.and_then(|_| feeds::unchecked(&given)));
+    faults.extend(deflection.and_then(|_| feeds::metric(&given)));
     faults.sort_by_key(|fault| fault.severity); // stable: within a severity the order of the manual
     let count = |severity| faults.iter().filter(|fault| fault.severity == severity).count() as f64;
     let ending = Message::new("machine-check-ending")

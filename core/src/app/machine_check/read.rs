@@ -4,6 +4,7 @@
 //! read; what no check asks for is counted.
 
 use super::words::{Scan, Token};
+use crate::control::definitions::First;
 use crate::control::gud::Gud;
 use crate::control::machine_data::{MACHINE_DATA, MachineDatum};
 use crate::control::{Value, arrays, gud, setting_data};
@@ -73,6 +74,8 @@ pub struct Exported {
     pub twice: Vec<Odd>,
     /// Data whose value cannot be read.
     pub unread: Vec<Odd>,
+    /// Arrays whose size cannot be read.
+    pub unsized_arrays: Vec<Odd>,
     /// Data whose number in front is that of another datum.
     pub unlike: Vec<Odd>,
     /// Assignments of which no check knows the datum.
@@ -193,7 +196,14 @@ impl Line<'_> {
 
     /// `_TP[0,6]=20`, `18118: 7`; a word without a value is none.
     fn assignment(&mut self, word: &str) {
+        let before = self.scan;
         let index = self.scan.index();
+        let open = index.is_none() && self.scan.rest().starts_with('[');
+        if open && gud::find(word).is_some() {
+            self.to.unread.push(self.odd(word.to_owned(), before.rest()));
+            self.scan.skip_to_comma();
+            return;
+        }
         if !self.scan.assigns() {
             return;
         }
@@ -212,16 +222,28 @@ impl Line<'_> {
         } else if word.starts_with('$') {
             self.spelled = number.iter().map(String::as_str).chain([word]).collect::<Vec<_>>().join(" ");
         }
-        let before = self.scan;
-        let values = self.scan.values();
-        match values.filter(|values| !self.scan.goes_on() && values.iter().flatten().all(possible)) {
-            Some(values) => self.fill(&datum, &values, false),
-            None => {
-                let texts = [before.rest().to_owned(), String::new()];
-                let odd = Odd { name: datum.name, channel: *self.channel, place: self.place, texts };
-                self.to.unread.push(odd);
-            }
+        let unnumbered = gud::find(word).is_some() && arrays::split(&datum.name).is_none();
+        match self.values(&datum.sizes) {
+            Ok(_) if unnumbered => self.to.unread.push(self.odd(word.to_owned(), before.rest())),
+            Ok(values) => self.fill(&datum, &values, false),
+            Err(text) => self.to.unread.push(self.odd(datum.name, &text)),
         }
+    }
+
+    /// The next values, for something of these sizes; else what stands there instead, and the line goes on behind it.
+    fn values(&mut self, sizes: &[usize]) -> Result<First, String> {
+        let before = self.scan;
+        let found = self.scan.values().filter(|values| !self.scan.goes_on() && fits(values, sizes));
+        found.ok_or_else(|| {
+            self.scan = before;
+            self.scan.skip();
+            before.rest().to_owned()
+        })
+    }
+
+    /// What this line says and no control can read so.
+    fn odd(&self, name: String, text: &str) -> Odd {
+        Odd { name, channel: *self.channel, place: self.place, texts: [text.to_owned(), String::new()] }
     }
 
     /// `DEF NCK REAL _TP[2,10]=(0,0,…)`, several names behind commas.
@@ -230,20 +252,44 @@ impl Line<'_> {
             match self.scan.token() {
                 Token::End => return,
                 Token::Word(word) => {
-                    let index = self.scan.index();
                     let name = word.to_ascii_uppercase();
-                    let Some(found) = gud::find(&name) else { continue };
-                    let sizes = index.as_deref().and_then(sizes).unwrap_or_default();
-                    self.spelled.clear();
-                    self.to.removed.remove(&name);
-                    self.to.sizes.insert(name.clone(), (sizes.clone(), self.place));
-                    let values = if self.scan.assigns() { self.scan.values() } else { Some(Vec::new()) };
-                    if let Some(values) = values {
-                        self.list(found, &sizes, values.len());
-                        self.fill(&Datum { name, sizes, channel: found.channel }, &values, true);
+                    match gud::find(&name) {
+                        Some(found) => self.defined(found, name),
+                        None => drop(self.scan.index()),
                     }
                 }
                 Token::Number(_) | Token::Text(_) | Token::Sign(_) => {}
+            }
+        }
+    }
+
+    /// Sizes and values behind a name in a definition.
+    fn defined(&mut self, found: &Gud, name: String) {
+        let before = self.scan;
+        let index = self.scan.index();
+        self.spelled.clear();
+        self.to.removed.remove(&name);
+        let sizes = match index.as_deref() {
+            Some(index) => sizes(index),
+            None => (!before.rest().starts_with('[')).then(Vec::new),
+        };
+        let Some(sizes) = sizes else {
+            self.to.unsized_arrays.push(self.odd(name, before.rest()));
+            if self.scan.assigns() {
+                self.scan.skip();
+            }
+            return self.scan.skip_to_comma();
+        };
+        self.to.sizes.insert(name.clone(), (sizes.clone(), self.place));
+        let values = if self.scan.assigns() { self.values(&sizes) } else { Ok(First::Each(Vec::new())) };
+        match values {
+            Ok(values) => {
+                self.list(found, &sizes, count(&values));
+                self.fill(&Datum { name, sizes, channel: found.channel }, &values, true);
+            }
+            Err(text) => {
+                self.to.unread.push(self.odd(name, &text));
+                self.scan.skip_to_comma();
             }
         }
     }
@@ -257,14 +303,14 @@ impl Line<'_> {
     }
 
     /// Gives a datum, or the elements of an array from this one on, their values.
-    fn fill(&mut self, datum: &Datum, values: &[Option<Value>], defined: bool) {
-        let alone = datum.sizes.is_empty() || values.len() == 1 && datum.name.contains('[');
+    fn fill(&mut self, datum: &Datum, values: &First, defined: bool) {
+        let alone = datum.sizes.is_empty() || of_one(values) && datum.name.contains('[');
         let names = match alone {
             true => vec![datum.name.clone()],
-            false => arrays::following(&datum.name, &datum.sizes).take(values.len()).collect(),
+            false => arrays::following(&datum.name, &datum.sizes).take(count(values)).collect(),
         };
-        for (name, value) in names.into_iter().zip(values) {
-            if let Some(value) = value {
+        for (at, name) in names.into_iter().enumerate() {
+            if let Some(value) = values.begins(at) {
                 self.give(name, datum.channel, value.clone(), defined);
             }
         }
@@ -300,9 +346,28 @@ fn removed(text: &str) -> Option<&'static str> {
     (0..3).find_map(|_| gud::find(&word()?)).map(|gud| gud.name)
 }
 
-/// Whether a control can hold a value: its largest numbers are those of a mask of 32 bits.
-fn possible(value: &Value) -> bool {
-    !matches!(value, Value::Number(number) if number.abs() > f64::from(u32::MAX))
+/// For how many elements values stand.
+fn count(values: &First) -> usize {
+    match values {
+        First::Each(values) => values.len(),
+        First::Same(_, count) => *count,
+    }
+}
+
+/// Whether it is one value, not several for an array.
+fn of_one(values: &First) -> bool {
+    matches!(values, First::Each(values) if values.len() < 2)
+}
+
+/// Whether a control can hold values in something of these sizes: its largest numbers are those of a mask of 32 bits,
+/// and several values need an array.
+fn fits(values: &First, sizes: &[usize]) -> bool {
+    let possible = |value: &Value| !matches!(value, Value::Number(number) if number.abs() > f64::from(u32::MAX));
+    let all = match values {
+        First::Each(values) => values.iter().flatten().all(possible),
+        First::Same(value, _) => possible(value),
+    };
+    all && (!sizes.is_empty() || of_one(values))
 }
 
 /// Whether a number of a block is that of another machine datum than the one that is named: the control reads the name.
@@ -450,6 +515,97 @@ mod tests {
         let set = self::read("DEF CHAN INT _JM_I[10] = SET(0,1,,17)\nDEF CHAN REAL _MC_MTL[3]=(33.3,33.3,33.3)");
         assert_eq!((set.number("_JM_I[1]", 0), set.number("_JM_I[2]", 0)), (Some(1.0), None));
         assert_eq!((set.number("_JM_I[3]", 0), set.number("_MC_MTL[2]", 0)), (Some(17.0), Some(33.3)));
+    }
+
+    // oracle: hand (the tester's lines: each says something that no control reads so, and nothing of it is taken)
+    #[test]
+    fn a_value_that_cannot_be_read_is_told_wherever_it_stands() {
+        for (text, name) in [
+            ("DEF CHAN REAL _SPEED[4]=(50,abc,1000,900)", "_SPEED"),
+            ("DEF CHAN REAL _SPEED[4]=(50,1000,1.0.0,900)", "_SPEED"),
+            ("DEF CHAN REAL _SPEED[4]=(50,1000,0,900", "_SPEED"),
+            ("DEF CHAN REAL _SPEED[4]=SET(REP(0,4))", "_SPEED"),
+            ("DEF CHAN BOOL _CHBIT[30]=(0,1,1,rep(0))", "_CHBIT"),
+            ("DEF NCK INT _CVAL[4]=REP(1,0)", "_CVAL"),
+            ("DEF NCK INT _CVAL[4]=REP(_CBIT[0])", "_CVAL"),
+            ("DEF NCK INT _DIGIT=4*_CVAL", "_DIGIT"),
+            ("DEF NCK INT _DIGIT=4,5", "_DIGIT"),
+            ("DEF NCK INT _DIGIT=(4,5)", "_DIGIT"),
+            ("DEF NCK INT _DIGIT=", "_DIGIT"),
+            ("_CBIT[13]=(abc)", "_CBIT[13]"),
+            ("_CBIT[13]=REP(abc)", "_CBIT[13]"),
+            ("_CBIT[13=1", "_CBIT"),
+            ("_TP[0,3+3]=1", "_TP"),
+            ("SD54600[0]=REP(1)", "SD54600[0]"),
+        ] {
+            let read = read(text);
+            let told: Vec<&str> = read.unread.iter().map(|odd| odd.name.as_str()).collect();
+            assert_eq!((told, read.data.len(), read.lists.len()), (vec![name], 0, 0), "{text}");
+        }
+        for text in ["DEF NCK INT _CVAL[2+2]=(2,2,0,0)", "DEF NCK INT _CVAL[4=(2,2,0,0)", "DEF NCK INT _CVAL[]=(2)"] {
+            let read = read(text);
+            assert_eq!((read.unsized_arrays.len(), read.data.len(), read.sizes.len()), (1, 0, 0), "{text}");
+        }
+        // what stands behind it counts
+        let read = read("DEF NCK INT _CVAL[4]=(a,_DIGIT=5), _DIGIT=3\n_CBIT[0]=(x) _CBIT[1]=1");
+        assert_eq!((read.unread.len(), read.data.len()), (2, 2));
+        assert_eq!((read.number("_DIGIT", 0), read.number("_CBIT[1]", 0)), (Some(3.0), Some(1.0)));
+    }
+
+    // oracle: hand (REP fills from the element on to the end of the array, or as many as it says)
+    #[test]
+    fn one_value_for_many_elements_is_read() {
+        let read = read("DEF NCK INT _CVAL[4]=REP(1)\nDEF NCK REAL _TP[2,10]=rep(3,12)\n_CBIT[14]=REP(1,2)");
+        assert_eq!((read.unread.len(), read.data.len()), (0, 4 + 12 + 2));
+        let numbers = ["_CVAL[3]", "_TP[1,1]", "_TP[1,2]", "_CBIT[15]", "_CBIT[13]"].map(|name| read.number(name, 0));
+        assert_eq!(numbers, [Some(1.0), Some(3.0), Some(0.0), Some(1.0), None]);
+    }
+
+    /// What a line gives an array of six elements, as the reader of programs reads it; none: it is told.
+    fn as_a_program(values: &str) -> Option<Vec<Option<f64>>> {
+        let found = crate::syntax::definitions::definitions(format!("DEF NCK REAL OWN[6]={values}").as_bytes());
+        let datum = found.definitions.find("OWN")?;
+        let number = |at| match datum.begins(at) {
+            Some(Value::Number(number)) => Some(*number),
+            _ => None,
+        };
+        Some((0..6).map(number).collect())
+    }
+
+    proptest! {
+        // oracle: self (both readers of a definition file find the same values, or both tell them)
+        #[test]
+        fn values_are_read_as_in_a_program(
+            list in prop::collection::vec(prop::sample::select(vec!["", "1", "-2.5", "TRUE", "abc", "(1", "\"A\""]), 0..7),
+            form in 0..4_usize,
+            closed in prop::bool::weighted(0.9),
+        ) {
+            let inside = list.join(",");
+            let close = if closed { ")" } else { "" };
+            let one = list.first().copied().unwrap_or("7");
+            let values = match form {
+                0 => format!("({inside}{close}"),
+                1 => format!("SET({inside}{close}"),
+                2 => format!("REP({one}{close}"),
+                _ => format!("REP({one},{}{close}", list.len()),
+            };
+            prop_assume!(!inside.is_empty());
+            let read = read(&format!("DEF NCK REAL _MFS[6]={values}"));
+            let told = !read.unread.is_empty();
+            if !closed {
+                prop_assert!(told, "{}", values);
+                return Ok(());
+            }
+            match as_a_program(&values) {
+                Some(wanted) => {
+                    let found: Vec<_> =
+                        (0..6).map(|at| read.data.get(&(format!("_MFS[{at}]"), 0)).map(|one| shown(&one.value))).collect();
+                    let wanted: Vec<_> = wanted.iter().map(|one| one.map(|number| number.to_string())).collect();
+                    prop_assert_eq!((told, found), (false, wanted), "{}", values);
+                }
+                None => prop_assert!(told || values.contains('"'), "{}", values),
+            }
+        }
     }
 
     // oracle: hand

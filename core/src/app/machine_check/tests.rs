@@ -27,6 +27,32 @@ fn told(view: &MachineCheckView) -> Vec<(&str, Severity, &str)> {
         .collect()
 }
 
+// oracle: manual B:1149-1161 (m/s², no other unit is printed)
+#[test]
+fn the_unit_of_the_deceleration_is_told_on_a_control_in_inch() {
+    let axis = "MD10050=0.002\nMD10070=2\nMD32200[X1]=1\nMD32300[X1]=1\n";
+    let told = |text: String, deflection: Option<f64>| {
+        let view = machine_check(MachineCheckRequest { deflection, ..asked(&text) }).unwrap();
+        view.faults.iter().filter(|fault| fault.message.key == "machine-check-axis-metric").count()
+    };
+    assert_eq!(told(format!("{axis}MD10240=0"), Some(2.0)), 1);
+    assert_eq!(told(format!("{axis}MD10240=0"), None), 0);
+    assert_eq!(told(format!("{axis}MD10240=1"), Some(2.0)), 0);
+}
+
+// oracle: hand (the same values, as one repeated and as a list), manual A:15891 (61349: the depth is 0)
+#[test]
+fn repeated_values_are_checked_like_a_list() {
+    let repeated = "DEF NCK INT _CVAL[4]=REP(1)\nDEF NCK REAL _TP[2,10]=REP(0)\nDEF NCK BOOL _CBIT[17]=REP(1)";
+    let bits = vec!["1"; 17].join(",");
+    let list = format!("DEF NCK INT _CVAL[4]=(1,1,1,1)\nDEF NCK REAL _TP[2,10]=(0)\nDEF NCK BOOL _CBIT[17]=({bits})");
+    let [repeated, list] = [check(repeated), check(&list)];
+    assert_eq!(told(&repeated), told(&list));
+    let alarms: Vec<&str> = told(&repeated).into_iter().map(|(.., alarm)| alarm).collect();
+    assert!(alarms.contains(&"61349") && alarms.contains(&"61416"), "{alarms:?}");
+    assert_eq!(told(&check("DEF NCK INT _CVAL[2+2]=(1,1,1,1)")), [("_CVAL", Error, "")]);
+}
+
 // oracle: manual B:12971 and B:16183 (20 names, 30 names), B:16186 and A:14245 (70, 80), B:16187 and A:14251 (600,
 // 800), B:16189 and A:14263 (14, 16; 27, 29 on an NCU 3)
 #[test]

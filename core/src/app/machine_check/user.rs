@@ -7,6 +7,7 @@ use crate::control::gud::{Element, Gud, Initial};
 use crate::control::needs::Use;
 use crate::control::{BASIC_SYSTEM, Units, Value, gud};
 use crate::diagnostic::Severity;
+use crate::form::machine::has_effect;
 use crate::message::Message;
 use Severity::{Error, Note, Warning};
 use std::collections::{BTreeMap, BTreeSet};
@@ -131,12 +132,8 @@ fn ranges(given: &Exported, files: &Files, without: &[Use]) -> Vec<MachineFault>
         if element.internal || fits(element, *value) || unused(gud, without) {
             continue;
         }
-        // no speed of positioning matters with collision monitoring only, no direction where the cycle has the speed
-        let watched = |switch: &str, as_delivered: f64| given.number(switch, channel).unwrap_or(as_delivered);
-        match name.as_str() {
-            "_SPEED[1]" | "_SPEED[2]" if watched("_CHBIT[2]", 1.0) == 0.0 => continue,
-            "_CM[5]" if watched("_CBIT[12]", 0.0) == 1.0 => continue,
-            _ => {}
+        if !has_effect(name, |switch| given.number(switch, channel)) {
+            continue;
         }
         let begins =
             |(begin, _): &&(&str, u32)| name.starts_with(begin) && (!begin.ends_with('[') || at.get(1) == Some(&8));

@@ -1,5 +1,6 @@
 //! The words of an exported line.
 
+use crate::control::definitions::{ELEMENTS, First};
 use crate::control::{Value, machine_data};
 
 /// A piece of a line.
@@ -109,22 +110,29 @@ impl<'a> Scan<'a> {
         }
     }
 
-    /// Whether a value goes on behind a comma, `12,5`: that is no number of a control, and no next datum either.
+    /// Whether a value goes on: behind a comma, `12,5`, which is no number of a control and no next datum either; or
+    /// as a calculation, `4*2`.
     pub fn goes_on(&self) -> bool {
+        if self.rest.trim_start().starts_with(['*', '/']) {
+            return true;
+        }
         let rest = self.rest.strip_prefix(',').filter(|rest| rest.starts_with(|c: char| c.is_ascii_digit()));
         rest.is_some_and(|rest| matches!(Scan::new(rest).token(), Token::Number(_)))
     }
 
-    /// The next value, or as many as stand in brackets: one that is left out is none.
-    pub fn values(&mut self) -> Option<Vec<Option<Value>>> {
+    /// The next value, as many as stand in brackets, of which one that is left out is none, or one for many elements:
+    /// `7`, `(1,2)`, `SET(1,,2)`, `REP(1)`, `REP(1,5)`. None: it is nothing of these.
+    pub fn values(&mut self) -> Option<First> {
         let begin = *self;
-        match self.token() {
-            Token::Word("SET" | "set") => self.values(),
-            Token::Sign('(') => Some(self.list()),
-            _ => {
-                *self = begin;
-                self.value().map(|value| vec![Some(value)])
-            }
+        let first = self.token();
+        let is = |name: &str| matches!(first, Token::Word(word) if word.eq_ignore_ascii_case(name));
+        if first == Token::Sign('(') || is("SET") && self.token() == Token::Sign('(') {
+            self.list().map(First::Each)
+        } else if is("REP") && self.token() == Token::Sign('(') {
+            self.repeated()
+        } else {
+            *self = begin;
+            self.value().map(|value| First::Each(vec![Some(value)]))
         }
     }
 
@@ -144,23 +152,62 @@ impl<'a> Scan<'a> {
         value
     }
 
-    /// Values up to the closing bracket.
-    fn list(&mut self) -> Vec<Option<Value>> {
-        let (mut values, mut last) = (Vec::new(), None);
+    /// Values up to the closing bracket; none: something else stands among them, or no bracket closes them.
+    fn list(&mut self) -> Option<Vec<Option<Value>>> {
+        let mut values = Vec::new();
         loop {
-            if let Some(value) = self.value() {
-                last = Some(value);
-                continue;
-            }
+            values.push(self.value());
             match self.token() {
-                Token::Sign(',') => values.push(last.take()),
-                Token::Sign(')') | Token::End => {
-                    values.push(last);
-                    return values;
-                }
+                Token::Sign(',') => {}
+                Token::Sign(')') => return Some(values),
+                _ => return None,
+            }
+        }
+    }
+
+    /// Value and count up to the closing bracket of `REP(`.
+    fn repeated(&mut self) -> Option<First> {
+        let value = self.value()?;
+        match self.token() {
+            Token::Sign(')') => return Some(First::Same(value, ELEMENTS)),
+            Token::Sign(',') => {}
+            _ => return None,
+        }
+        let Value::Number(count) = self.value()? else { return None };
+        (count >= 1.0 && self.token() == Token::Sign(')')).then_some(First::Same(value, count as usize))
+    }
+
+    /// Goes behind a value that cannot be read.
+    pub fn skip(&mut self) {
+        let first = self.token();
+        if matches!(first, Token::Word(_)) {
+            self.index();
+        }
+        let mut ahead = *self;
+        if first == Token::Sign('(') {
+            self.close();
+        } else if matches!(first, Token::Word(_)) && ahead.token() == Token::Sign('(') {
+            ahead.close();
+            *self = ahead;
+        }
+    }
+
+    /// Goes behind the bracket that closes an open one.
+    fn close(&mut self) {
+        let mut open = 1_usize;
+        while open > 0 {
+            match self.token() {
+                Token::Sign('(') => open += 1,
+                Token::Sign(')') => open -= 1,
+                Token::End => return,
                 _ => {}
             }
         }
+    }
+
+    /// Goes behind the next comma, or to the end.
+    pub fn skip_to_comma(&mut self) {
+        while !matches!(self.token(), Token::Sign(',') | Token::End) {}
     }
 }
 

@@ -34,6 +34,9 @@ const FEED: f64 = 1e1;
 /// Tells path and feed, whichever was asked for.
 pub fn braking(asked: &Arguments, words: &Words, out: &mut dyn Write) -> Result<ExitCode, Problem> {
     let Arguments { delay, acceleration, gain, feed, deflection, json } = *asked;
+    if feed.is_none() && deflection.is_none() {
+        return Err(file::wrong(Message::new("terminal-braking-nothing")));
+    }
     let view = app::braking(BrakingRequest { delay, acceleration, gain, feed, deflection });
     let view = view.map_err(|refused| file::wrong(refused.message))?;
     if json {

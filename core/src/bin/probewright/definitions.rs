@@ -67,7 +67,7 @@ pub fn definitions(asked: &Arguments, words: &Words, out: &mut dyn Write) -> Res
     Ok(if problems { ExitCode::FAILURE } else { ExitCode::SUCCESS })
 }
 
-/// Reads the files into the machine; tells whether a value was refused.
+/// Reads the files into the machine; tells whether a value was refused or cannot be read.
 fn read(asked: &Arguments, setup: &mut Value, words: &Words) -> Result<bool, Problem> {
     let mut files = Vec::new();
     for path in &asked.files {
@@ -84,11 +84,14 @@ fn read(asked: &Arguments, setup: &mut Value, words: &Words) -> Result<bool, Pro
     if let Some(sizes) = &back.sizes {
         file::complain(&words.text(sizes));
     }
+    for fault in &back.unread {
+        file::complain(&super::machine::line(fault, words));
+    }
     for problem in &back.machine.problems {
         let texts = [&problem.refusal.message, &problem.refusal.hint].map(|message| words.text(message));
         file::complain(&format!("{}: {}", problem.name, texts.join(" ")));
     }
-    Ok(!back.machine.problems.is_empty())
+    Ok(!back.machine.problems.is_empty() || !back.unread.is_empty())
 }
 
 fn print(view: &DefinitionsView, words: &Words, out: &mut dyn Write) -> std::io::Result<()> {

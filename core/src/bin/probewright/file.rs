@@ -1,7 +1,10 @@
 //! Reading files, each in whatever encoding it is written, why one cannot be read or written, and which control a
 //! program is for.
 
+use crate::check::severity;
 use clap::ValueEnum;
+use probewright_core::app::{MachineProblem, machine_doubts};
+use probewright_core::diagnostic::Severity;
 use probewright_core::dialect::Dialect;
 use probewright_core::encoding::{Encoding, recognise};
 use probewright_core::machine::setup::Setup;
@@ -227,7 +230,10 @@ pub fn exported(path: &Path) -> Result<String, Problem> {
 /// document too.
 pub fn setup(path: &Path, as_json: bool, words: &Words, out: &mut dyn Write) -> Result<Setup, Problem> {
     let refused = match json::setup_from_json(&text(path)?) {
-        Ok(setup) => return Ok(setup),
+        Ok(setup) => {
+            doubts(path, &setup, words);
+            return Ok(setup);
+        }
         Err(refused) => refused,
     };
     if as_json {
@@ -237,6 +243,14 @@ pub fn setup(path: &Path, as_json: bool, words: &Words, out: &mut dyn Write) -> 
     }
     let cure = if refused.position.is_some() { format!(" {}", words.key("terminal-file-cure")) } else { String::new() };
     Err((refusal(path, &refused, words) + &cure).into())
+}
+
+/// Tells data of a machine that are outside of their limits; a run shows what comes of them.
+fn doubts(path: &Path, setup: &Setup, words: &Words) {
+    for MachineProblem { refusal, .. } in machine_doubts(&setup.control) {
+        let texts = [&refusal.message, &refusal.hint].map(|message| words.text(message));
+        complain(&format!("{}: {}: {}", path.display(), severity(Severity::Warning), texts.join(" ")));
+    }
 }
 
 /// Why a file is refused, behind its name and the place in it.

@@ -2,10 +2,24 @@
 
 use crate::{Arguments, file, words};
 use clap::error::{ContextKind, ErrorKind};
-use clap::{Arg, Command, CommandFactory};
+use clap::{Arg, Command, CommandFactory, FromArgMatches};
 use probewright_core::message::Message;
 use probewright_core::words::Words;
 use std::process::ExitCode;
+
+/// What the command line says.
+pub fn arguments() -> Result<Arguments, clap::Error> {
+    negative(Arguments::command()).try_get_matches().and_then(|matches| Arguments::from_arg_matches(&matches))
+}
+
+/// With `-1` as a value of any argument that has one, not as an option: what it says of the number is told.
+fn negative(command: Command) -> Command {
+    let takes = |arg: Arg| match arg.get_action().takes_values() {
+        true => arg.allow_negative_numbers(true),
+        false => arg,
+    };
+    command.mut_args(takes).mut_subcommands(negative)
+}
 
 /// Shows the help that the arguments ask for, or what is wrong with them: status 2.
 pub fn answer() -> ExitCode {
@@ -27,7 +41,7 @@ fn language() -> Option<String> {
 
 /// The command line with its help in a language.
 fn command(words: &Words) -> Command {
-    let mut command = Arguments::command();
+    let mut command = negative(Arguments::command());
     command.build(); // with the flags and the command for help, which clap adds
     page(command, words)
 }

@@ -93,7 +93,7 @@ fn print(view: &MachineCheckView, words: &Words, out: &mut dyn Write) -> std::io
 }
 
 /// `INITIAL.INI:4: error[61016]: MD28082 MM_SYSTEM_FRAME_MASK (channel 2): …`
-fn line(fault: &MachineFault, words: &Words) -> String {
+pub fn line(fault: &MachineFault, words: &Words) -> String {
     let place = fault.place.as_ref().map_or(String::new(), |place| format!("{}:{}: ", place.file, place.line));
     let alarm = fault.alarm.as_ref().and_then(|alarm| alarm.key.strip_prefix("alarm-"));
     let alarm = alarm.map_or(String::new(), |number| format!("[{number}]"));

@@ -82,7 +82,7 @@ enum Command {
 }
 
 fn main() -> ExitCode {
-    let Ok(Arguments { lang, command }) = Arguments::try_parse() else { return help::answer() };
+    let Ok(Arguments { lang, command }) = help::arguments() else { return help::answer() };
     let mut out = BufWriter::new(std::io::stdout().lock());
     let (words, known) = match words(lang.as_deref()) {
         Ok(words) => (words, Ok(())),

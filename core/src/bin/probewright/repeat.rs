@@ -1,9 +1,11 @@
 //! `probewright repeat`: the test programs of a probe, and what repeated touches come to.
 
+use crate::check::severity;
 use crate::file;
 use crate::file::Problem;
-use probewright_core::app::{RepeatRequest, RepeatView, repeat_on};
+use probewright_core::app::{RepeatRequest, RepeatView, repeat_on, repeat_texts};
 use probewright_core::control::Plane;
+use probewright_core::diagnostic::Severity;
 use probewright_core::dialect::Dialect;
 use probewright_core::json;
 use probewright_core::machine::Setup;
@@ -20,20 +22,20 @@ pub struct Arguments {
     setup: Option<PathBuf>,
     #[arg(long, value_name = "AXIS")]
     axis: Option<String>,
-    #[arg(long, value_name = "POSITION", allow_negative_numbers = true)]
+    #[arg(long, value_name = "POSITION")]
     from: Option<f64>,
-    #[arg(long, value_name = "POSITION", allow_negative_numbers = true)]
+    #[arg(long, value_name = "POSITION")]
     to: Option<f64>,
     #[arg(long, value_name = "FEED")]
     feed: Option<f64>,
     #[arg(long, value_name = "INPUT")]
     input: Option<u8>,
     #[arg(long, value_name = "COUNT")]
-    count: Option<usize>,
+    count: Option<f64>,
     #[arg(long)]
     mcs: bool,
     #[arg(long, value_name = "R")]
-    parameters: Option<usize>,
+    parameters: Option<f64>,
     #[arg(long)]
     m6: bool,
     #[arg(long, value_name = "FILE")]
@@ -61,21 +63,39 @@ pub fn repeat(asked: &Arguments, words: &Words, out: &mut dyn Write) -> Result<E
         to: asked.to,
         feed: asked.feed,
         input: asked.input,
-        count: asked.count.map(|count| count as f64),
+        count: asked.count,
         machine: Some(asked.mcs),
-        parameters: asked.parameters.map(|first| first as f64),
+        parameters: asked.parameters,
         changes: Some(asked.m6),
         values: asked.values.as_ref().map(|path| file::text(path)).transpose()?,
         words: Some(SAYS.iter().map(|key| ((*key).to_owned(), words.key(*key))).collect()),
         setup: None,
     };
+    if !asked.json && (asked.function || asked.program) {
+        return text(asked, &request, setup, words, out);
+    }
     let view = repeat_on(&request, setup).map_err(|refused| file::wrong(refused.message))?;
     if asked.json {
         file::print_json(json::document(&view), words, out)?;
-    } else if asked.function || asked.program {
-        write!(out, "{}", if asked.function { &view.function } else { &view.program })?;
     } else {
         print(&view, words, out)?;
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+/// Prints the program that is asked for; why its touches come to nothing on this machine is a note.
+fn text(
+    asked: &Arguments,
+    request: &RepeatRequest,
+    setup: Setup,
+    words: &Words,
+    out: &mut dyn Write,
+) -> Result<ExitCode, Problem> {
+    let [function, program] = repeat_texts(request, &setup).map_err(|refused| file::wrong(refused.message))?;
+    write!(out, "{}", if asked.function { function } else { program })?;
+    if let Err(refused) = repeat_on(request, setup) {
+        out.flush()?;
+        file::complain(&format!("{}: {}", severity(Severity::Note), words.text(&refused.message)));
     }
     Ok(ExitCode::SUCCESS)
 }

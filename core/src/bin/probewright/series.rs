@@ -24,9 +24,9 @@ pub struct Arguments {
     file: PathBuf,
     #[arg(long)]
     setup: PathBuf,
-    #[arg(long, value_name = "NUMBER", allow_negative_numbers = true)]
+    #[arg(long, value_name = "NUMBER")]
     runs: Option<String>,
-    #[arg(long, value_name = "NUMBER", allow_negative_numbers = true)]
+    #[arg(long, value_name = "NUMBER")]
     seed: Option<String>,
     #[arg(long, value_name = "FILES", num_args = 1..)]
     with: Vec<PathBuf>,

@@ -52,7 +52,7 @@ pub fn write(asked: &Arguments, words: &Words, out: &mut dyn Write) -> Result<Ex
     };
     let list = cycle.lists.iter().find(|list| style == Style::Operate && list.style == style);
     let other = machine.as_ref().and_then(|setup| other_generation(cycle, style, &setup.control));
-    let typed = typed(cycle, list, &asked.values)?;
+    let typed = typed(cycle, list, asked)?;
     let plane = cycle.purpose.machine.plane().unwrap_or(Plane::G17);
     let mut control = machine.unwrap_or_else(|| Setup::for_cycle(cycle, plane)).control;
     let checked = match list.filter(|list| list.is_written()) {
@@ -141,19 +141,20 @@ fn find(name: &str) -> Result<&'static Cycle, Problem> {
     })
 }
 
-/// The cycle of a control with this name: what the G function of an NCT control calls, else that of the catalogue.
+/// The cycle of a control with this name: that of the catalogue, whatever function calls it on this machine, as in
+/// forms and pages; else what the G function of an NCT control calls.
 fn find_on(control: &Control, name: &str) -> Result<&'static Cycle, Problem> {
     let code = name.strip_prefix(['G', 'g']).and_then(|digits| digits.parse::<f64>().ok());
-    let called = code.and_then(|code| Functions::of(control).cycle(code));
+    let called = || code.and_then(|code| Functions::of(control).cycle(code));
     let none = || wrong(Message::new("terminal-cycle-control").text("name", name));
-    called.or_else(|| catalogue::find(control.dialect, name)).ok_or_else(none)
+    catalogue::find(control.dialect, name).or_else(called).ok_or_else(none)
 }
 
 /// The values as typed, by the names of the parameters; what the list alone has, by its names there.
-fn typed(cycle: &'static Cycle, list: Option<&'static ArgumentList>, values: &[String]) -> Result<Typed, Problem> {
+fn typed(cycle: &'static Cycle, list: Option<&'static ArgumentList>, asked: &Arguments) -> Result<Typed, Problem> {
     let mut typed = Typed::new();
     let mut of_list = Vec::new();
-    for pair in values {
+    for pair in &asked.values {
         let (name, value) =
             pair.split_once('=').ok_or_else(|| wrong(Message::new("terminal-pair").text("text", pair)))?;
         let param = cycle.params.iter().find(|param| param.name.eq_ignore_ascii_case(name));
@@ -162,7 +163,7 @@ fn typed(cycle: &'static Cycle, list: Option<&'static ArgumentList>, values: &[S
             (Some(param), _) => put(&mut typed, param.name.as_str(), value)?,
             (None, Some(argument)) => of_list.push((argument, value)),
             (None, None) => {
-                let unknown = Message::new("terminal-parameter").text("cycle", cycle.name);
+                let unknown = Message::new("terminal-parameter").text("cycle", asked.cycle.to_uppercase());
                 return Err(wrong(unknown.text("name", name)));
             }
         }

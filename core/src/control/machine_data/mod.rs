@@ -4,6 +4,9 @@ mod table;
 
 pub use table::MACHINE_DATA;
 
+use super::BASIC_SYSTEM;
+use crate::range::Range;
+
 /// A machine datum.
 #[derive(Clone, Copy)]
 pub struct MachineDatum {
@@ -96,6 +99,27 @@ impl MachineDatum {
             0 => vec![self.number.to_owned()],
             count => (0..count).map(|i| format!("{}[{i}]", self.number)).collect(),
         }
+    }
+
+    /// What it can be, as its bounds say; the basic system is a switch (B:13594), whose bounds are not printed.
+    pub fn range(&self) -> Range {
+        if self.number == BASIC_SYSTEM {
+            return Range::closed(0.0, 1.0);
+        }
+        let [min, max] = self.bounds.map(number);
+        let open = Range::ANY;
+        Range {
+            min: min.unwrap_or(open.min),
+            min_included: min.is_some(),
+            max: max.unwrap_or(open.max),
+            max_included: max.is_some(),
+        }
+    }
+
+    /// Whether only whole numbers are printed as its bounds.
+    pub fn is_whole(&self) -> bool {
+        let printed = self.bounds.iter().all(|bound| !bound.is_empty() && !bound.contains('.'));
+        printed || self.number == BASIC_SYSTEM
     }
 
     /// Key of its words.
