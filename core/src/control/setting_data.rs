@@ -398,6 +398,7 @@ pub fn replaces_array(name: &str) -> bool {
 
 #[cfg(test)]
 mod tests {
+    #![allow(clippy::unwrap_used)]
     use super::*;
     use crate::control::{OF_LISTS, delivery};
     use crate::dialect::Dialect;
