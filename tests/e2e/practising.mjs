@@ -92,6 +92,10 @@ export async function practising(browser, page, report) {
     machine.push(...reference);
     report(`JOG ${one.name}: NC start to its picture`, times, 95, 16);
   }
-  report(`the machine itself: ${AS_LONG} ms of arithmetic`, machine.sort((a, b) => a - b), 95);
+  report(
+    `the machine itself: ${AS_LONG} ms of arithmetic`,
+    machine.sort((a, b) => a - b),
+    95,
+  );
   await visit.context.close();
 }
