@@ -26,7 +26,8 @@ pub fn findings(program: &Program, programs: &Programs, older: &Older, found: &m
     let mut cure = Some(edits(program, older)).filter(|edits| !edits.is_empty());
     for call in &older.calls {
         let (name, cycle) = (program.name(call.name), call.cycle.name);
-        let mut finding = own::OLDER_CALL.finding().text("word", name).text("cycle", cycle).on(call.name);
+        let mut finding =
+            own::OLDER_CALL.finding().text("word", name).text("cycle", cycle).on(program.placed(call.name));
         finding.message.args.push(("names", Arg::Text(meanings(call)))); // ours, however long
         found.push(match cure.take() {
             Some(edits) => finding.cured(Message::new("older-convert").text("cycles", of_calls(&older.calls)), edits),
@@ -61,7 +62,7 @@ pub fn findings(program: &Program, programs: &Programs, older: &Older, found: &m
             Some(other) => finding.text("other", program.name(other.name)),
             None => finding,
         };
-        found.push(finding.text("text", program.written(clash.place(program))).on(call.name));
+        found.push(finding.text("text", program.written(clash.place(program))).on(program.placed(call.name)));
     }
     for (number, place) in &older.results {
         found.push(own::OLDER_RESULT.finding().text("name", format!("R{number}")).on(*place));
@@ -83,7 +84,7 @@ fn idle(older: &Older) -> impl Iterator<Item = Diagnostic> {
 /// That an assignment gets several names, since its calls take it as different parameters.
 fn both(program: &Program, older: &Older, one: &Assigned) -> Diagnostic {
     let names: Vec<&str> = one.names.iter().map(|name| name.as_str()).collect();
-    let finding = own::OLDER_BOTH.finding().text("text", one.text(program)).text("cycles", cycles(older, one));
+    let finding = own::OLDER_BOTH.finding().text("text", one.text(program)).text("cycles", taken_by(older, one));
     finding.text("names", names.join(", ")).on(one.word)
 }
 
@@ -108,7 +109,7 @@ fn missing(program: &Program, older: &Older, call: &Call) -> Option<Diagnostic> 
     let last = call.given.keys().flat_map(of).map(|one| one.word.end).filter(|end| *end <= call.word.start).max();
     let names: Vec<String> = left.iter().map(|(number, name, value)| format!("R{number} ({name}={value})")).collect();
     let values: Vec<String> = left.iter().map(|(number, _, value)| format!("R{number}={value}")).collect();
-    let mut finding = own::OLDER_MISSING.finding().text("word", program.name(call.name)).on(call.name);
+    let mut finding = own::OLDER_MISSING.finding().text("word", program.name(call.name)).on(program.placed(call.name));
     finding.message.args.push(("names", Arg::Text(names.join(", ")))); // ours, however long
     let found = (!left.is_empty()).then_some(finding)?;
     let Some(last) = last else { return Some(found) };
@@ -197,6 +198,12 @@ fn answer(program: &Program, older: &Older, one: &Assigned) -> Vec<Edit> {
 /// The cycles that an assignment reaches.
 fn cycles(older: &Older, one: &Assigned) -> String {
     of_calls(one.calls.iter().filter_map(|at| older.calls.get(*at)))
+}
+
+/// Those of them that take it.
+fn taken_by(older: &Older, one: &Assigned) -> String {
+    let calls = one.calls.iter().filter_map(|at| older.calls.get(*at));
+    of_calls(calls.filter(|call| call.names.get(&one.number).is_some_and(|names| !names.is_empty())))
 }
 
 /// Those of them for which it is open what an assignment is.
