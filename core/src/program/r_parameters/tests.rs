@@ -322,7 +322,7 @@ fn a_call_with_the_number_of_a_newer_cycle_is_told() {
 // oracle: manual A:16314, A:16557 (R31 is _MD for CYCLE973, and _RF for CYCLE979), r_params.md rule 3 (say so)
 #[test]
 fn an_assignment_that_gets_several_names_is_told() {
-    let both = |text: &str| told(text).into_iter().filter(|(key, ..)| key == "older-both").map(|(_, at, _)| at).last();
+    let both = |text: &str| told(text).into_iter().rev().find(|(key, ..)| key == "older-both").map(|(_, at, _)| at);
     assert_eq!(both("R23=13 R31=1\nL973\nR23=1\nL979\n").as_deref(), Some("R31=1"));
     assert_eq!(both("R23=13 R31=1\nL973\nR23=1 R31=500\nL979\n"), None);
 }
