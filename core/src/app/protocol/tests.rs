@@ -248,7 +248,8 @@ fn a_line_that_contradicts_itself_is_told() {
     assert_eq!((view.fitted, view.unfit.len()), (2, 0));
     let told: Vec<(u32, &str)> = view.doubtful.iter().map(|one| (one.line, one.why.key.as_ref())).collect();
     assert_eq!(told, [(2, "protocol-contradicted")]);
-    for line in ["D, hole, 50.000, 50.050, 0.050", "D, hole, 50.000, 50.050", "D, hole, 50.000, 50.050, 50.100, 49.900"] {
+    for line in ["D, hole, 50.000, 50.050, 0.050", "D, hole, 50.000, 50.050", "D, hole, 50.000, 50.050, 50.100, 49.900"]
+    {
         assert_eq!(of(line).doubtful, [], "{line}");
     }
 }
