@@ -3927,7 +3927,7 @@ export type TouchedLine = {
 };
 
 /** What touches. */
-export type Touching = "ball" | "stylus" | "body" | "tool";
+export type Touching = "ball" | "stylus" | "body" | "tool" | "cutter";
 
 /** Everything that happened, with what is needed to draw it. Machine coordinates, mm. */
 export type Trace = {

@@ -2,7 +2,7 @@
 //! how the part lies, on a copy whose table is empty.
 
 use super::changes::Change;
-use super::jog::{JogResult, changed, note, results};
+use super::jog::{JogResult, changed, note, raised, results};
 use super::outcome::Raised;
 use crate::jog::mask::Show;
 use crate::jog::states::Key;
@@ -70,7 +70,7 @@ pub fn ahead(session: &Session) -> Option<JogAhead> {
     let done = carry_out(&mut copy, start);
     let steps = copy.sim.trace.entries.behind(session.sim.trace.entries.len());
     let steps: Vec<Step> = steps.map(|entry| entry.step).collect();
-    let raised = copy.stopped().filter(|_| start).map(Raised::stop);
+    let raised = copy.stopped().filter(|_| start).map(|stop| raised(&copy, stop));
     let stores = start && raised.is_none() && !mask.at_once();
     let point = session.points().iter().position(Option::is_none).filter(|_| stores);
     let calculates = raised.is_none() && done == Ok(true);
@@ -131,7 +131,7 @@ fn raised_at_once(session: &Session) -> Option<Raised> {
     copy.carry_out(Input::Start).ok()?;
     let moves = |step: Step| matches!(step, Step::Motion { from, to, .. } if from != to);
     let moved = copy.sim.trace.entries.behind(before).any(|entry| moves(entry.step));
-    copy.stopped().filter(|_| !moved).map(Raised::stop)
+    copy.stopped().filter(|_| !moved).map(|stop| raised(&copy, stop))
 }
 
 /// Whether something is calculated.

@@ -12,9 +12,8 @@ use crate::jog::mask::key;
 use crate::jog::script::{Command, Line, Way, Wrong, read};
 use crate::jog::values::Values;
 use crate::jog::{Input, Point, Session, State, measures};
-use crate::machine::{Machine, MotionKind, Setup, Step};
+use crate::machine::{Machine, MotionKind, Setup, Step, Stop};
 use crate::message::Message;
-use crate::workpiece::Touching;
 use serde::Serialize;
 
 /// What a script did.
@@ -161,6 +160,8 @@ fn carry_out(session: &mut Session, line: &Line) -> JogLine {
     let refused = act(session, &line.command).err();
     let control = &session.sim.control;
     let steps: Vec<Step> = session.sim.trace.entries.behind(before).map(|entry| entry.step).collect();
+    // who runs against the same place again is told again
+    let crashed = steps.iter().any(|step| matches!(step, Step::Crash { .. }));
     let activation = session.activation();
     let [abscissa, ordinate, _] = control.plane.axes();
     JogLine {
@@ -170,7 +171,7 @@ fn carry_out(session: &mut Session, line: &Line) -> JogLine {
         mask: session.mask().map(|mask| Message::new(key("mask", mask.name))),
         plane: [abscissa, ordinate].map(|axis| AXES[axis]),
         refused,
-        raised: session.stopped().filter(|now| stop.as_ref() != Some(now)).map(Raised::stop),
+        raised: session.stopped().filter(|now| crashed || stop.as_ref() != Some(now)).map(|stop| raised(session, stop)),
         notes: steps.iter().filter_map(note).collect(),
         position: session.sim.position().0,
         offset: control.make().settable_name(control.settable),
@@ -187,9 +188,24 @@ fn carry_out(session: &mut Session, line: &Line) -> JogLine {
 pub(super) fn note(step: &Step) -> Option<Message> {
     match step {
         Step::Decision { message } => Some(message.clone()),
-        Step::Crash { by: Touching::Body, .. } => Some(Message::new("run-crash-body")),
         _ => None,
     }
+}
+
+/// Why the machine stopped, and what helps: an axis that ran into something goes back, behind RESET where an NC start
+/// ended with it; and no tool measures the workpiece.
+pub(super) fn raised(session: &Session, stop: &Stop) -> Raised {
+    let raised = Raised::stop(stop);
+    let alarm = session.state() == State::Alarm;
+    let workpiece = session.mask().is_some_and(|mask| !mask.task.of_tool());
+    let hint = match raised.message.key.as_ref() {
+        _ if raised.hint.is_some() => return raised,
+        _ if !alarm => "jog-crash-hint",
+        "jog-crash-cutter" | "run-crash-tool" if workpiece => "jog-probe-hint",
+        key if key.contains("-crash") => "jog-crash-reset-hint",
+        _ => return raised,
+    };
+    Raised { hint: Some(Message::new(hint)), ..raised }
 }
 
 pub(super) fn changed(control: &Control, step: &Step) -> Option<Change> {
@@ -277,6 +293,7 @@ fn travel(session: &mut Session, axes: &[(usize, f64)], way: Way) -> Result<(), 
 
 /// Writes a datum of the control, or a value of a tool or a frame.
 fn set(session: &mut Session, name: &str, value: f64) -> Result<(), Message> {
+    cannot_be(name, value).map_or(Ok(()), Err)?;
     let sim = &mut session.sim;
     if sim.control.variable(name).is_some() {
         sim.write_correction(name.to_owned(), value);
@@ -287,4 +304,28 @@ fn set(session: &mut Session, name: &str, value: f64) -> Result<(), Message> {
     }
     session.settle();
     Ok(())
+}
+
+/// Why a datum of the user cannot have a value; none: it can, or nothing says so.
+fn cannot_be(name: &str, value: f64) -> Option<Message> {
+    let (gud, at) = gud::place(name)?;
+    let element = gud.element(&at)?;
+    let range = element.range;
+    let key = match element.choices {
+        _ if gud.kind == gud::Kind::Integer && value.fract() != 0.0 => "jog-datum-whole",
+        _ if element.takes(value) => return None,
+        [] if range.max.is_finite() => "jog-datum-range",
+        [] if range.min_included => "jog-datum-least",
+        [] => "jog-datum-above",
+        _ => "jog-datum-choice",
+    };
+    let choices: Vec<String> = element.choices.iter().map(i64::to_string).collect();
+    let message = Message::new(key).text("name", name).number("value", value).text("choices", choices.join(", "));
+    let ends = [("min", range.min), ("max", range.max)].into_iter().filter(|(_, end)| end.is_finite());
+    Some(ends.fold(message, |message, (end, value)| message.number(end, value)))
+}
+
+/// What is told where a session begins: JOG shows mm on any machine.
+pub fn jog_in_mm(control: &Control) -> Option<Message> {
+    (control.basic_factor() != 1.0).then(|| Message::new("jog-in-mm"))
 }

@@ -91,7 +91,7 @@ pub use finding::{Cure, Edit, Finding, findings};
 pub use foreign::{ForeignCallView, ForeignFigure, ForeignLog, ForeignParameter, ForeignView, foreign, log_of};
 pub use form::{FormRequest, FormView, LoggedCall, form};
 pub use help::{HelpRequest, HelpResult, HelpSection, HelpText, HelpView, help};
-pub use jog::{JogLine, JogPoint, JogResult, JogView, JogWrong, jog};
+pub use jog::{JogLine, JogPoint, JogResult, JogView, JogWrong, jog, jog_in_mm};
 pub use machine::{MachineField, MachineGroup, MachineProblem, MachineRequest, MachineView, machine, machine_doubts};
 pub use machine_check::{
     ExportedFile, MachineAxis, MachineCheckRequest, MachineCheckView, MachineFault, MachineLimit, MachinePlace,

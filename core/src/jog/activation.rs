@@ -1,7 +1,7 @@
 //! The activation screen: why it is shown, its fields, its lines (B:3776-3912).
 
 use super::offset;
-use super::values::{Value, Values};
+use super::values::{Value, Values, wrong_word};
 use crate::control::{Control, ROTARY, Store};
 use crate::geometry::Degrees;
 use crate::message::Message;
@@ -93,8 +93,7 @@ impl Activation {
         };
         let known = choices(field);
         let Some(word) = known.into_iter().find(|known| known.eq_ignore_ascii_case(word.trim())) else {
-            let wrong = Message::new("jog-wrong-word").text("field", *field).text("text", word);
-            return Err(wrong.text("known", known.join(", ")));
+            return Err(wrong_word(field, word.trim(), known.join(", ")));
         };
         self.values.put(field, Value::Word(word.to_owned()));
         Ok(())

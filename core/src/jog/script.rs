@@ -160,11 +160,11 @@ fn too_much(word: &str, rest: &str) -> Told {
     (Message::new("jog-script-alone").text("word", word).text("text", rest), hint)
 }
 
-/// `zo = G54`.
+/// `zo = G54`; a field that was emptied says by itself what is missing.
 fn field(text: &str) -> Result<Command, Told> {
     let (name, value) = text.split_once('=').unwrap_or((text, ""));
     let (name, value) = (name.trim(), value.trim());
-    if name.is_empty() || value.is_empty() || name.contains(char::is_whitespace) {
+    if name.is_empty() || name.contains(char::is_whitespace) {
         return Err(unknown(text));
     }
     Ok(Command::Field(name.to_owned(), value.to_owned()))
@@ -254,6 +254,7 @@ mod tests {
             ("plc P3 off", Command::Plc(3, false)),
             ("Calculate", Command::Calculate),
             ("activate", Command::Activate),
+            ("x0 =", Command::Field("x0".into(), String::new())),
             ("activate = no", Command::Field("activate".into(), "no".into())),
             ("<<", Command::Back),
             ("mode", Command::Mode),

@@ -134,12 +134,20 @@ fn word(field: &Field, words: Vec<String>, text: &str, control: &Control) -> Res
     }
     let known = words.join(", ");
     let found = words.into_iter().find(|word| word.eq_ignore_ascii_case(text));
-    found
-        .ok_or_else(|| Message::new("jog-wrong-word").text("field", field.name).text("text", text).text("known", known))
+    found.ok_or_else(|| wrong_word(field.name, text, known))
+}
+
+/// That a field takes other words, or has none.
+pub(super) fn wrong_word(field: &str, text: &str, known: String) -> Message {
+    let key = if text.is_empty() { "jog-empty-word" } else { "jog-wrong-word" };
+    Message::new(key).text("field", field).text("text", text).text("known", known)
 }
 
 /// A number as a person types it, with a point or a comma.
 fn number(field: &Field, text: &str) -> Result<f64, Message> {
+    if text.is_empty() {
+        return Err(Message::new("jog-empty-number").text("field", field.name));
+    }
     let typed = text.replace(',', ".").parse::<f64>().ok().filter(|number| number.is_finite());
     let wrong = || Message::new("jog-wrong-number").text("field", field.name).text("text", text);
     let number = typed.ok_or_else(wrong)?;

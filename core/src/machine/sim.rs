@@ -5,7 +5,7 @@ use crate::control::{Control, MachineSort};
 use crate::geometry::{Around, Degrees, FARTHEST, Mcs, Wcs};
 use crate::message::Message;
 use crate::scan::{FORM_POINTS, FORM_POINTS_WITH_BODY, Sent};
-use crate::workpiece::{Boundary, Contact, Noise, Probe, Tool, ToolProbe, Touching, Workpiece, chuck};
+use crate::workpiece::{Boundary, Contact, Noise, Probe, Tool, ToolProbe, Workpiece, chuck};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Messages of the program that are told where nothing else of it is recorded.
@@ -78,6 +78,8 @@ pub struct Sim {
     pub in_cycle: bool,
     /// What of a measurement only seems so.
     pub pretended: Pretended,
+    /// Measuring in JOG: nobody cuts, so a tool that meets the part is a collision, and nothing but a probe measures it.
+    pub in_jog: bool,
     /// No axis moves, though it is drawn where it would go: nothing is hit.
     pub still: bool,
     /// Way so far with the signal of the probe watched, mm.
@@ -130,6 +132,7 @@ impl Sim {
             gives_way: false,
             in_cycle: false,
             pretended: Pretended::default(),
+            in_jog: false,
             still: false,
             watched: 0.0,
             touching: true,
@@ -154,7 +157,7 @@ impl Sim {
             self.go(&way, kind, feed);
             return Ok(());
         }
-        let mut hit = if self.has_probe() { self.obstacle(&way) } else { self.tool_obstacle(&way) };
+        let mut hit = if self.has_probe() { self.obstacle(&way) } else { self.tool_stopped(&way) };
         if hit.is_some() && self.gives_way && !monitored && !self.in_cycle {
             self.equip(Workpiece::default(), Vec::new(), None);
             hit = None;
@@ -165,7 +168,7 @@ impl Sim {
         }
         self.go(&free, kind, feed);
         let Some(hit) = hit else { return Ok(()) };
-        if !monitored || hit.by == Touching::Body {
+        if !monitored || !hit.by.switches() {
             return Err(self.crash(&hit));
         }
         self.switched(&hit);

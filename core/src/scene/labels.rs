@@ -126,6 +126,7 @@ pub fn touched(at: [f64; 3], diameter: f64, [from, to]: [Option<usize>; 2]) -> L
 
 /// Crashes, touches of stylus or body, and touches that end in an alarm, which is told then.
 pub fn collisions(entries: &Entries) -> Vec<Label> {
+    let mut known: Vec<Label> = Vec::new();
     let found = entries.others().filter_map(|one| {
         let (point, by, text) = match one.step {
             Step::Crash { point, by, .. } => (point, by, Message::new("collision-crash")),
@@ -140,11 +141,18 @@ pub fn collisions(entries: &Entries) -> Vec<Label> {
             Touching::Ball => "collision-ball",
             Touching::Stylus => "collision-stylus",
             Touching::Body => "collision-body",
-            Touching::Tool => "collision-tool",
+            Touching::Tool | Touching::Cutter => "collision-tool",
         };
         Some(Label { from: Some(one.at), ..Label::new(Kind::Collision, point.0, text.text("what", what)) })
     });
-    found.collect()
+    for label in found {
+        // who runs against the same place again is told it once
+        let again = |one: &Label| one.text == label.text && (V3::from(one.at) - V3::from(label.at)).norm() < SAME;
+        if !known.iter().any(again) {
+            known.push(label);
+        }
+    }
+    known
 }
 
 /// Code of the alarm that comes before anything moves again.

@@ -397,6 +397,16 @@ fn what_must_not_touch_and_did_is_told() {
     );
 }
 
+// oracle: hand: four times against the same place, once against another
+#[test]
+fn a_place_that_is_hit_again_is_named_once() {
+    let crash =
+        |x: f64| Step::Crash { point: Mcs([x, 2.0, 3.0]), normal: Dir::new([1.0, 0.0, 0.0]), by: Touching::Ball };
+    let entries: Entries = [1.0, 1.0, 1.2, 1.0, 9.0].map(crash).into_iter().map(entry).collect();
+    let found: Vec<_> = labels::collisions(&entries).iter().map(|one| (one.from, one.at[0])).collect();
+    assert_eq!(found, [(Some(0), 1.0), (Some(4), 9.0)]);
+}
+
 // oracle: hand: names of systems at one place stand together, those of others alone
 #[test]
 fn names_of_coordinate_systems_at_one_place_stand_together() {

@@ -1,12 +1,15 @@
 //! What of the probe can touch: its ball, the stylus above it, and the body that holds the stylus.
 
-use super::{Body, Boundary, Contact, Probe};
+use super::tool::in_plane;
+use super::{Body, Boundary, Contact, Cut, Probe, Tool};
 use crate::geometry::rod::around;
 use crate::geometry::{Dir, Mcs, Met, Path, Rod, Stretch, Swept, TOLERANCE, V3, earliest, rod};
 use std::f64::consts::TAU;
 
 /// Rounding of the lower edge of a body, mm.
 const ROUNDED: f64 = 0.5;
+/// How deep the foot of a rod that stands on the part may seem to reach into it, mm: so exactly a contact is found.
+const STANDS: f64 = 1e-6;
 /// Pieces of a round edge that are looked at before the directions in them.
 const SECTORS: usize = 12;
 
@@ -24,12 +27,19 @@ pub enum Touching {
     Body,
     /// A tool, at a tool probe.
     Tool,
+    /// A tool, at the part: nothing is deflected.
+    Cutter,
 }
 
 impl Touching {
     /// Whether it is what measures: the ball, or a tool.
     pub fn measures(&self) -> bool {
         matches!(self, Touching::Ball | Touching::Tool)
+    }
+
+    /// Whether a probe switches by it.
+    pub fn switches(self) -> bool {
+        !matches!(self, Touching::Body | Touching::Cutter)
     }
 }
 
@@ -94,6 +104,31 @@ impl Feeler {
             rod(held, end, body.radius)
         });
         Feeler { radius: probe.radius, stylus: rod(lowest, held, thick), body }
+    }
+
+    /// A tool, and the way from where its lengths end to what stands for the centre of the ball. It is looked at as a
+    /// cylinder of its widest edge as far as the spindle, with the round end or the point that it has; `axes`: of the
+    /// plane.
+    pub fn tool(tool: &Tool, axes: [usize; 3]) -> (Feeler, Dir<Mcs>) {
+        let cutter = match &tool.cut {
+            Cut::Nose(nose) => {
+                let [first, second] = nose.side.map(|side| -side * nose.radius);
+                return (Feeler::ball(nose.radius), in_plane(axes, [first, second, 0.0]).into());
+            }
+            Cut::Cutter(cutter) => cutter,
+        };
+        let up = V3::ith(axes[cutter.axis.min(2)], 1.0);
+        let radius = cutter.edges().into_iter().map(|(radius, ..)| radius).fold(cutter.radius, f64::max);
+        let [_, point] = cutter.chamfer;
+        let long = tool.length.into_iter().fold(radius, f64::max) + radius;
+        let rod = |foot: f64| Rod { foot: up * foot, up, length: long, radius };
+        match cutter.corner >= radius {
+            true => (Feeler { radius, stylus: Some(rod(0.0)), body: None }, (up * radius).into()),
+            false => {
+                let flat = Feeler { radius: 0.0, stylus: None, body: (radius > 0.0).then(|| rod(point)) };
+                (flat, (up * -cutter.disc).into())
+            }
+        }
     }
 
     /// Stylus and body, if there are any.
@@ -184,9 +219,10 @@ impl Boundary {
         earliest(sides.chain(ends.into_iter().flatten()))
     }
 
-    /// What goes through the axis of a rod.
+    /// What goes through the axis of a rod; what its foot stands on does not.
     fn pierced(&self, rod: &Rod) -> Option<Met> {
-        let met = self.first(0.0, rod.top().into(), rod.foot.into()).met(rod.length)?;
+        let foot = rod.foot + rod.up * STANDS.min(rod.length);
+        let met = self.first(0.0, rod.top().into(), foot.into()).met(rod.length)?;
         Some(Met { way: 0.0, ..met })
     }
 

@@ -452,3 +452,53 @@ fn the_program_measures_tools_as_jog_does() {
         same(&session, &outcome, &names.chain(of_tool).collect::<Vec<_>>(), &what);
     }
 }
+
+// oracle: self (JOG against the automatic cycle): corners of all positions, inside and outside, whose points lie
+// anywhere on their edges, from anywhere before them
+#[test]
+fn a_corner_is_found_wherever_it_was_touched() {
+    let (more, first) = (environment("PROBEWRIGHT_CASES", 1), environment("PROBEWRIGHT_SEED", 0));
+    for seed in 0..48 * more {
+        let mut noise = Noise::new(first * 1_000_003 + 900 + seed);
+        let mut between = |low: f64, high: f64| low + (high - low) * noise.uniform();
+        let (position, inside, any) = (seed as usize % 4, seed / 4 % 2 == 1, seed / 8 % 3 == 2);
+        let [x, y] = [[1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]][position];
+        let length = [120.0, 90.0];
+        let shape = match inside {
+            true => Shape::Pocket { length, depth: 30.0 },
+            false => Shape::Block { size: [120.0, 90.0, 40.0] },
+        };
+        let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
+        setup.control.set("_CHBIT[21]", 1.0);
+        let mut solid = Solid::new(shape, Mcs([between(-20.0, 20.0), between(-20.0, 20.0), 0.0]));
+        solid.rotation[2] = between(-8.0, 8.0);
+        let (turn, origin) = (rigid::rotation(solid.rotation), V3::from(solid.at));
+        setup.workpiece.solids.push(solid);
+        let beside = |far: f64| if inside { far } else { -far };
+        let near = between(14.0, 30.0);
+        let mut points = vec![
+            [near, beside(between(5.0, 35.0))],
+            [near + between(20.0, 60.0), beside(between(5.0, 35.0))],
+            [beside(between(5.0, 35.0)), between(14.0, 50.0)],
+        ];
+        if any {
+            points.push([beside(between(5.0, 35.0)), between(55.0, 70.0)]);
+        }
+        let mask = if any { "corner_any" } else { "corner_right" };
+        let (corner, pos) = (if inside { "inside" } else { "outside" }, (position + 1).to_string());
+        let what = format!("{mask} {corner} {pos} {seed} {points:?}");
+        let mut session = Session::new(&setup);
+        super::open(&mut session, mask, &[("zo", "G54"), ("corner", corner), ("pos", &pos)]);
+        for [along, up] in points {
+            let place = V3::new(x * (along - 60.0), y * (up - 45.0), -10.0);
+            session.sim.position = Mcs::from(origin + turn * place);
+            session.carry_out(Input::Start).unwrap();
+            assert!(session.stopped().is_none(), "{what}: {:?}", session.stopped());
+        }
+        let made = call(&session).unwrap_or_else(|why| panic!("{what}: {why:?}"));
+        session.press(Input::Calculate).unwrap();
+        let written = carried_out(&setup, &made, &text(&made), &what).control;
+        let (moved, turned) = differ(&written, &session.sim.control, Store::Settable(1));
+        assert!(moved < 1e-5 && turned < 1e-8, "{what}: {moved} {turned}\n{}", text(&made));
+    }
+}

@@ -5,6 +5,7 @@
 
 mod alarms;
 mod as_program;
+mod hand;
 mod hostile;
 mod loops;
 mod messages;

@@ -99,6 +99,8 @@ fn each_mask_opens_on_its_piece() {
 fn what_does_nothing_leaves_everything_as_it_was() {
     for (line, key) in [
         ("x0 = far", "jog-wrong-number"),
+        ("x0 =", "jog-empty-number"),
+        ("axis =", "jog-empty-word"),
         ("diameter = 5", "jog-no-field"),
         ("calculate", "jog-at-once"),
         ("reject P1", "jog-grey"),

@@ -164,3 +164,22 @@ fn a_mask_is_explained() {
     assert!(told.starts_with("set_edge: Set edge\n\nWhat it measures\n  The position of a paraxial edge"), "{told}");
     assert!(told.contains("\n  Possible alarms: 61016, "), "{told}");
 }
+
+// oracle: hand: what is pending is named in the end, and a machine in inches says once that JOG is metric
+#[test]
+fn the_end_names_what_is_pending() {
+    let (_, output) = jog("pending.jog", "mask set_edge\nmove X-200 Z-8\nstart\n", &[]);
+    assert!(out(&output).ends_with("Alarm 61301 is pending. Press RESET.\n"), "{}", out(&output));
+    let body = SETUP.replace("\"length\": 50 }", "\"length\": 50, \"body\": { \"radius\": 20, \"distance\": 25 } }");
+    let script = file("body.jog", b"mask set_edge\nmove X-30 Y40 Z-35\nstart\n");
+    let told = out(&probewright(&["jog", &script, "--setup", &file("body.json", body.as_bytes())]));
+    assert_eq!(told.matches(":3: The probe body hit the part.").count(), 1, "{told}");
+    assert!(told.contains("Press RESET. Then move the axis back"), "{told}");
+    assert!(told.contains("\nThe machine has stopped. The probe body hit the part."), "{told}");
+    let inch = SETUP.replacen("\"sinumerik\",", "\"sinumerik\", \"units\": \"inch\",", 1);
+    let script = file("inch.jog", b"mask set_edge\n");
+    let told = out(&probewright(&["jog", &script, "--setup", &file("inch.json", inch.as_bytes())]));
+    assert_eq!(told.matches("are in mm.").count(), 1, "{told}");
+    assert!(told.starts_with("This machine measures in inches."), "{told}");
+    assert!(!out(&jog("mm.jog", "mask set_edge\n", &[]).1).contains("are in mm."));
+}

@@ -307,6 +307,7 @@ step-touch-stylus = Berührung des Tastschafts bei { $at }
 step-crash = Kollision bei { $at }
 step-crash-stylus = Kollision des Tastschafts bei { $at }
 step-crash-body = Kollision des Messtastergehäuses bei { $at }
+step-crash-cutter = Kollision des Werkzeugs mit dem Werkstück bei { $at }
 step-orient = Spindel auf { $angle }°
 step-spin = Spindel { $direction }, { $speed } 1/min
 step-table = Rundachse { $axis } auf { $angle }°

@@ -307,6 +307,7 @@ step-touch-stylus = The stylus touches at { $at }
 step-crash = Crash at { $at }
 step-crash-stylus = Crash of the stylus at { $at }
 step-crash-body = Crash of the probe body at { $at }
+step-crash-cutter = Crash of the tool with the part at { $at }
 step-orient = Spindle to { $angle }°
 step-spin = Spindle { $direction }, { $speed } rpm
 step-table = Rotary axis { $axis } to { $angle }°

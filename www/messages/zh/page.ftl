@@ -303,6 +303,7 @@ step-touch-stylus = 测针在 { $at } 触碰
 step-crash = 在 { $at } 碰撞
 step-crash-stylus = 测针在 { $at } 碰撞
 step-crash-body = 测头本体在 { $at } 碰撞
+step-crash-cutter = 刀具在 { $at } 与工件碰撞
 step-orient = 主轴定位到 { $angle }°
 step-spin = 主轴 { $direction }，{ $speed } r/min
 step-table = 回转轴 { $axis } 转到 { $angle }°

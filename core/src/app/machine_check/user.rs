@@ -129,7 +129,7 @@ fn ranges(given: &Exported, files: &Files, without: &[Use]) -> Vec<MachineFault>
     for (name, channel, gud, at) in seen {
         let Some(datum) = given.get(name, channel) else { continue };
         let (Some(element), Value::Number(value)) = (gud.element(&at), &datum.value) else { continue };
-        if element.internal || fits(element, *value) || unused(gud, without) {
+        if element.internal || element.takes(*value) || unused(gud, without) {
             continue;
         }
         if !has_effect(name, |switch| given.number(switch, channel)) {
@@ -142,7 +142,7 @@ fn ranges(given: &Exported, files: &Files, without: &[Use]) -> Vec<MachineFault>
         let fault = fault.channel(channel).value(value.to_string()).at(Some(files.told(datum.place))).alarm(alarm);
         let Initial::Number(initial) = element.initial else { continue };
         let initial = in_basic(initial / factor(element.unit, basic(given, channel)));
-        found.push(if fits(element, initial) { fault.mended(initial) } else { fault });
+        found.push(if element.takes(initial) { fault.mended(initial) } else { fault });
     }
     found
 }
@@ -162,11 +162,6 @@ fn unused(gud: &Gud, without: &[Use]) -> bool {
     let of_jog = gud.name.starts_with("E_MESS") || gud.name.starts_with("_JM_");
     let of_probe = ["_TP", "_TPW", "_CM", "_MFS", "_MT_COMP", "_TP_CF", "_MT_EC_R", "_MT_EC_L"].contains(&gud.name);
     of_jog && without.contains(&Use::Jog) || of_probe && without.contains(&Use::ToolProbe)
-}
-
-fn fits(element: &Element, value: f64) -> bool {
-    let chosen = element.choices.is_empty() || element.choices.iter().any(|choice| *choice as f64 == value);
-    element.range.contains(value) && chosen
 }
 
 /// That a value is none of those that are allowed.

@@ -14,8 +14,7 @@ pub use view::{
 use super::Error;
 use super::ahead::{ahead, hidden};
 use super::changes::Change;
-use super::jog::{act, all, changed, note};
-use super::outcome::Raised;
+use super::jog::{act, all, changed, jog_in_mm, note, raised};
 use super::predict::PartSliders;
 use super::record::Record;
 use super::start::{Machine, start};
@@ -27,7 +26,7 @@ use crate::jog::chance::Truth;
 use crate::jog::practice::{self, Piece};
 use crate::jog::script::{Command, Line, Wrong, read};
 use crate::jog::shadow::{Deviation, Shadow};
-use crate::jog::{Session, State, measures};
+use crate::jog::{Session, measures};
 use crate::machine::{MotionKind, Setup, Step};
 use crate::message::Message;
 use crate::refused::Path;
@@ -162,7 +161,7 @@ impl Course {
         truth.put(setup);
         let session = Session::new(setup);
         let begun = (setup.clone(), 0);
-        let (notes, changes) = (Vec::new(), Vec::new());
+        let (notes, changes) = (jog_in_mm(&session.sim.control).into_iter().collect(), Vec::new());
         let mut course = Course { session, shadow, truth, begun, last: 0, notes, changes, deviation: None };
         course.begin();
         course
@@ -194,8 +193,10 @@ impl Course {
             other => self.shadow.follow(|session| act(session, other), &self.session),
         }
         let steps: Vec<Step> = self.session.sim.trace.entries.behind(before).map(|entry| entry.step).collect();
-        self.notes = steps.iter().filter_map(note).collect();
         let control = &self.session.sim.control;
+        let begins = matches!(line.command, Command::Mask(_));
+        let units = jog_in_mm(control).filter(|_| begins);
+        self.notes = units.into_iter().chain(steps.iter().filter_map(note)).collect();
         let written: Vec<Change> = steps.iter().filter_map(|step| changed(control, step)).collect();
         if self.session.outcome() != &shown && !self.session.outcome().results.is_empty() {
             self.changes.clear();
@@ -221,10 +222,7 @@ impl Course {
             areas: screen::areas(&session.sim.control),
             state: session.state(),
             refused,
-            raised: session.stopped().map(|stop| match Raised::stop(stop) {
-                raised if session.state() == State::Alarm || raised.hint.is_some() => raised,
-                raised => Raised { hint: Some(Message::new("jog-crash-hint")), ..raised },
-            }),
+            raised: session.stopped().map(|stop| raised(session, stop)),
             notes: self.notes,
             mask: session.mask().map(|mask| screen::shown(session, mask)),
             activation: session.activation().map(|screen| screen::activation(session, screen)),

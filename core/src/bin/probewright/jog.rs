@@ -100,6 +100,9 @@ fn told(script: &Path, wrong: JogWrong, words: &Words) -> Problem {
 }
 
 fn print(script: &Path, view: &JogView, words: &Words, out: &mut dyn Write) -> std::io::Result<()> {
+    if let Some(message) = app::jog_in_mm(&view.setup.control) {
+        writeln!(out, "{}", words.text(&message))?;
+    }
     for line in &view.lines {
         for text in lines(line, words) {
             writeln!(out, "{}:{}: {text}", script.display(), line.line)?;
@@ -114,13 +117,19 @@ fn print(script: &Path, view: &JogView, words: &Words, out: &mut dyn Write) -> s
     }
     if let Some(last) = view.lines.last() {
         writeln!(out, "{}", words.text(&Message::new("jog-offset-active").text("offset", &last.offset)))?;
-        writeln!(out, "{}", words.text(&state(last, words)))?;
+        writeln!(out, "{}", words.text(&state(view, last, words)))?;
     }
     Ok(())
 }
 
 /// What is on the screen in the end.
-fn state(last: &JogLine, words: &Words) -> Message {
+fn state(view: &JogView, last: &JogLine, words: &Words) -> Message {
+    let pending = || view.lines.iter().rev().find_map(|line| line.raised.as_ref()).filter(|one| one.code.is_empty());
+    if last.state == State::Alarm
+        && let Some(raised) = pending()
+    {
+        return Message::new("jog-state-stopped").text("text", words.text(&raised.message));
+    }
     let key = match last.state {
         State::Menu => "jog-state-menu",
         State::Mask => "jog-state-mask",
@@ -130,7 +139,10 @@ fn state(last: &JogLine, words: &Words) -> Message {
         State::Moving => "jog-state-moving",
         State::Alarm => "jog-state-alarm",
     };
-    Message::new(key).text("mask", last.mask.as_ref().map_or(String::new(), |mask| words.text(mask)))
+    let alarm = view.lines.iter().rev().find_map(|line| line.raised.as_ref()).map_or("", |one| one.code.as_str());
+    Message::new(key)
+        .text("alarm", alarm)
+        .text("mask", last.mask.as_ref().map_or(String::new(), |mask| words.text(mask)))
 }
 
 /// What a line tells: points, results, what was written, what was raised or refused.

@@ -134,6 +134,12 @@ const fn number(text: &[u8], mut at: usize) -> (Option<usize>, usize) {
 }
 
 impl Element {
+    /// Whether it may have this value.
+    pub fn takes(&self, value: f64) -> bool {
+        let chosen = self.choices.is_empty() || self.choices.iter().any(|choice| *choice as f64 == value);
+        self.range.contains(value) && chosen
+    }
+
     pub(in crate::control) const fn initial(self, value: f64) -> Element {
         Element { initial: Initial::Number(value), ..self }
     }

@@ -2,6 +2,7 @@
 //! measurement, mm.
 
 use super::Layout;
+use super::corner::{self, Touched};
 use super::value::rounded;
 use super::{Point, Source, Told};
 use crate::geometry::{Degrees, Dir, V3, Wcs};
@@ -223,19 +224,24 @@ impl Told<'_> {
         [whole(Degrees::of(seen[ordinate].atan2(seen[abscissa])).0), 90.0 * across.signum() * sense]
     }
 
-    /// The points as places; P1 before P2 along the abscissa (B:8140). A rectangle gets a fourth one, between the third
-    /// and its corner. Outside they are reached over the part.
+    /// The points as places; P1 before P2 along the abscissa (B:8140). Outside they are reached over the part.
     fn places(&self, inside: bool) -> Place {
         let points = self.all()?;
-        let [first, second, third, ref rest @ ..] = *points else { return Err(POINTS) };
-        let flat = |point: Point| self.flat(point.from);
-        let (mut one, mut two) = (flat(first), flat(second));
+        let clear = |(number, point): (usize, &Point)| {
+            let axis = usize::from(number < 2);
+            (self.flat(point.from)[axis] - self.flat(point.at)[axis]).abs()
+        };
+        let touched = Touched {
+            at: points.iter().map(|point| self.flat(point.at)).collect(),
+            clear: points.iter().enumerate().map(clear).collect(),
+            signs: corner_sides(self.values).map(|side| side.sign),
+            radius: self.stylus().radius,
+            inside,
+        };
+        let [mut one, mut two, three, four] = corner::places(&touched)?;
         if one[0] > two[0] {
             (one, two) = (two, one);
         }
-        let three = flat(third);
-        let edge = (self.flat(first.at)[1] + self.flat(second.at)[1]) / 2.0;
-        let four = rest.first().map_or([three[0], (three[1] + edge) / 2.0], |fourth| flat(*fourth));
         let up = if inside { 0.0 } else { Settings::of(&self.control).path };
         let start = self.higher(self.placed(self.from(), two), up);
         let places = [one, two, three, four].concat().into_iter().map(rounded);
@@ -264,7 +270,8 @@ impl Told<'_> {
     }
 }
 
-fn unit([x, y]: Flat) -> Option<Flat> {
+/// A way as long as 1.
+pub fn unit([x, y]: Flat) -> Option<Flat> {
     let length = x.hypot(y);
     (length > 0.0).then(|| [x / length, y / length])
 }

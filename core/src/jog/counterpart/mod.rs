@@ -2,6 +2,7 @@
 //! follows from the places that were touched, and what is different.
 
 mod back;
+mod corner;
 mod lay;
 mod value;
 

@@ -11,16 +11,15 @@ use crate::jog::evaluate::Size;
 use crate::jog::mask::{Mask, Task};
 use crate::jog::states::Key;
 use crate::jog::touching::Touching;
-use crate::jog::{calibrating, settings, tools};
+use crate::jog::{calibrating, tools};
 use crate::machine::Stop;
 use crate::message::Message;
 
 impl Session {
-    /// Plane and zero offset of the set-up become active (B:2748-2752).
+    /// The zero offset of the set-up becomes active, as its plane is (B:2748-2752).
     pub(super) fn begin(&mut self) {
+        self.take_plane();
         let measuring = self.measuring();
-        let plane = settings::plane(&self.sim.control);
-        self.sim.with_length(|control| control.plane = plane);
         self.sim.control.activate(measuring);
         self.measured = None;
         if self.mask.is_some_and(Mask::at_once) {

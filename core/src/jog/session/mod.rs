@@ -89,8 +89,10 @@ pub struct Session {
 impl Session {
     /// A machine as set up, nothing open.
     pub fn new(setup: &Setup) -> Session {
-        Session {
-            sim: Sim::new(setup),
+        let mut sim = Sim::new(setup);
+        sim.in_jog = true;
+        let mut session = Session {
+            sim,
             state: State::Menu,
             mask: None,
             values: Values::default(),
@@ -104,7 +106,9 @@ impl Session {
             offered: None,
             rejects: [false; 4],
             stopped: None,
-        }
+        };
+        session.take_plane();
+        session
     }
 
     /// What is on the screen.
@@ -404,8 +408,25 @@ impl Session {
         self.stopped = None;
     }
 
-    /// Leaves a mask that the control does not have any more.
+    /// The plane of the set-up is that of the machine at once: the probe is drawn and the position is shown as NC start
+    /// takes them, the spindle nose stays where it is. Points that were touched in another plane do not count.
+    pub(super) fn take_plane(&mut self) {
+        let plane = settings::plane(&self.sim.control);
+        if plane == self.sim.control.plane {
+            return;
+        }
+        self.sim.with_length(|control| control.plane = plane);
+        self.points.fill(None);
+        self.taken.fill(None);
+        self.measured = None;
+        if self.state == State::Ready {
+            self.state = State::Mask;
+        }
+    }
+
+    /// Follows the data of the control, which changed: the plane, and a mask that the control does not have any more.
     pub fn settle(&mut self) {
+        self.take_plane();
         let offered = |mask: &Mask| masks::opened(&self.sim.control, mask.name).is_some();
         if self.mask.is_some_and(|mask| !offered(mask)) {
             self.activation = None;

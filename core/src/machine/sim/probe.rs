@@ -2,6 +2,7 @@
 
 use super::Sim;
 use crate::control::braking::Deflection;
+use crate::control::probe::{PROBE, Unfit};
 use crate::control::{Edge, LATHE_PROBE};
 use crate::diagnostic::Code;
 use crate::geometry::{Degrees, Dir, Mcs};
@@ -18,10 +19,20 @@ const FEEDS: usize = 1000;
 
 impl Sim {
     /// Whether the simulated probe is in use: type 710 or 580, or a measuring cycle of workpieces is running. Any other
-    /// tool touches the tool probes only; that it cuts is not simulated.
+    /// tool touches the tool probes only; that it cuts is not simulated. In JOG, where nobody cuts, the tool in the
+    /// spindle decides alone, and one that is none meets the part.
     pub fn has_probe(&self) -> bool {
-        let probe = |edge: &Edge| [710, LATHE_PROBE].contains(&edge.kind);
-        self.measuring.is_some() || self.control.active_edge().is_some_and(probe)
+        let Some(edge) = self.control.active_edge() else { return self.measuring.is_some() && !self.in_jog };
+        let probe = [PROBE, LATHE_PROBE].contains(&edge.kind);
+        probe || if self.in_jog { self.stands_for_probe(edge) } else { self.measuring.is_some() }
+    }
+
+    /// Whether a tool of the type of a mill is the probe: types 1x0 are those of probes, too (B:4147). It is where no
+    /// tool is of the type of a probe alone, and nobody told what of it cuts.
+    fn stands_for_probe(&self, edge: &Edge) -> bool {
+        let fits = matches!(self.control.unfit(edge), None | Some(Unfit::Digit));
+        let edges = || self.control.tools.values().flat_map(|tool| tool.edges.values());
+        fits && !self.told_tools.contains(&self.control.active_place()) && !edges().any(|edge| edge.kind == PROBE)
     }
 
     /// Whether it is the probe of a turning machine, whose spindle holds the part, only in a milling cycle the probe.
@@ -130,7 +141,7 @@ impl Sim {
         let from = self.position;
         self.admit(&Route::straight(from, to))?;
         if !self.has_probe() {
-            return Ok(self.probe_with_tool(to, feed));
+            return self.seek_with_tool(to, feed);
         }
         let height = self.ball_height();
         let signal = touch(&self.part, &self.probe, &self.stand(), from + height, to + height, feed, &mut self.noise);
@@ -193,6 +204,7 @@ impl Sim {
             Touching::Stylus => "run-crash-stylus",
             Touching::Body => "run-crash-body",
             Touching::Tool => "run-crash-tool",
+            Touching::Cutter => "jog-crash-cutter",
         }))
     }
 

@@ -33,11 +33,12 @@ impl Sim {
 
     /// What of the probe a part meets first that turns against `turn`: seen from the part the probe goes round it.
     fn met_by(&mut self, turn: &Around<Mcs>) -> Option<Obstacle> {
-        if self.still || !self.has_probe() || turn.degrees == Degrees(0.0) {
+        if self.still || turn.degrees == Degrees(0.0) {
             return None;
         }
-        let ball = self.position + self.ball();
-        let feeler = self.feeler();
+        let probe = self.has_probe();
+        let (feeler, shift) = if probe { (self.feeler(), self.ball()) } else { self.cutting()? };
+        let ball = self.position + shift;
         let stylus = feeler.rods().flat_map(|(by, rod)| balls(rod, by, ball));
         let pieces = std::iter::once((ball, feeler.radius, Touching::Ball)).chain(stylus);
         let mut first: Option<Obstacle> = None;
@@ -50,7 +51,7 @@ impl Sim {
             };
             let ball = Feeler::ball(radius);
             if let Some(met) = way.obstacle(&self.part, &ball, Dir::default(), &mut self.effort) {
-                let part = met.part * part;
+                let (part, by) = (met.part * part, if probe { by } else { Touching::Cutter });
                 first = Some(Obstacle { by, part, ..met });
             }
         }

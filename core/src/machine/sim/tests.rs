@@ -5,7 +5,7 @@ use crate::control::{Frame, Plane};
 use crate::diagnostic::Code;
 use crate::dialect::Dialect;
 use crate::geometry::{Degrees, Dir, Mcs, Wcs};
-use crate::workpiece::{ProbeBody, Shape, Solid};
+use crate::workpiece::{ProbeBody, Shape, Solid, Touching};
 
 /// A cube of 100 mm whose upper face is Z = 0 of the machine.
 fn sim() -> Sim {

@@ -2,9 +2,9 @@
 
 use super::Sim;
 use crate::geometry::{Dir, Mcs, Stretch, V3};
-use crate::machine::{MotionKind, Route, in_use};
+use crate::machine::{MotionKind, Route, Stop, in_use};
 use crate::workpiece::tool_probe::Contact;
-use crate::workpiece::{Noise, Obstacle, Tool, ToolProbe, Touching, tool::Piece, tool_probe};
+use crate::workpiece::{Feeler, Noise, Obstacle, Tool, ToolProbe, Touching, tool::Piece, tool_probe};
 
 /// The scatter of all tool probes comes from the sequence of the first.
 pub(super) fn noise(probes: &[ToolProbe]) -> Noise {
@@ -80,8 +80,48 @@ impl Sim {
         met
     }
 
+    /// What of the tool in use would meet the part, and the way there from the position; none where it may cut.
+    pub(super) fn cutting(&mut self) -> Option<(Feeler, Dir<Mcs>)> {
+        if !self.in_jog || self.part.is_nothing() {
+            return None;
+        }
+        self.make_real()?;
+        let tool = self.real_tool()?;
+        let (feeler, end) = Feeler::tool(tool, self.control.plane.axes());
+        Some((feeler, tool.error(&self.control) + end))
+    }
+
+    /// Where the tool in use runs into the part.
+    fn cut(&mut self, way: &Route) -> Option<Obstacle> {
+        let (feeler, end) = self.cutting()?;
+        let met = way.obstacle(&self.part, &feeler, end, &mut self.effort)?;
+        Some(Obstacle { by: Touching::Cutter, ..met })
+    }
+
+    /// Where the tool in use is stopped, by a tool probe or by the part.
+    pub(super) fn tool_stopped(&mut self, way: &Route) -> Option<Obstacle> {
+        let met = [self.tool_obstacle(way), self.cut(way)];
+        met.into_iter().flatten().min_by(|one, other| one.part.total_cmp(&other.part))
+    }
+
+    /// A measuring motion of the tool in use; where the tool probe switched. One that is to measure the part gives no
+    /// signal at all: the axis goes on until something stops it.
+    pub(super) fn seek_with_tool(&mut self, to: Mcs, feed: f64) -> Result<Option<Mcs>, Stop> {
+        if self.measuring.is_some() {
+            return self.travel_machine(to, None, MotionKind::Measuring, feed, false).map(|()| None);
+        }
+        let from = self.position;
+        let crash = self.cut(&Route::straight(from, to));
+        let end = crash.map_or(to, |met| met.stop);
+        let latched = self.probe_with_tool(end, feed);
+        match crash {
+            Some(met) if latched.is_none() => Err(self.crash(&met)),
+            _ => Ok(latched),
+        }
+    }
+
     /// Moves the tool in use until a tool probe switches; the position then.
-    pub(super) fn probe_with_tool(&mut self, to: Mcs, feed: f64) -> Option<Mcs> {
+    fn probe_with_tool(&mut self, to: Mcs, feed: f64) -> Option<Mcs> {
         let way = Route::straight(self.position, to);
         let tool = self.take_up().and_then(|()| self.tool_at(way.from));
         let touched = tool.and_then(|(tool, error)| {
@@ -128,7 +168,7 @@ mod tests {
     use crate::diagnostic::Code;
     use crate::dialect::Dialect;
     use crate::geometry::{Around, Degrees, Wcs};
-    use crate::machine::{Machine, Setup, Stop};
+    use crate::machine::{Machine, Setup};
     use crate::workpiece::{Cut, Cutter, Shape, Solid};
 
     /// A cube of 20 mm about the origin and an end mill of 70 mm and 5 mm radius above it; it is longer than its data
@@ -205,5 +245,21 @@ mod tests {
         let to = beside.end(sim.position(), 0.0);
         let free = sim.travel_around(to, &beside, MotionKind::Positioning, 1000.0, true);
         assert_eq!(free, Ok(()));
+    }
+
+    #[test]
+    fn a_table_that_turns_meets_the_tool_where_nobody_cuts() {
+        // oracle: hand: the corner of a block of 60 mm is 42.4 mm from its middle, the mill 30 mm beside its face
+        let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
+        let edge = Edge { kind: 120, length: [70.0, 0.0, 0.0], radius: 5.0, ..Edge::default() };
+        setup.control.tools.entry(3).or_default().edges.insert(1, edge);
+        (setup.control.tool, setup.control.edge) = (3, 1);
+        setup.workpiece.solids.push(Solid::new(Shape::Block { size: [60.0; 3] }, Mcs::default()));
+        for (x, in_jog, meets) in [(40.0, true, true), (40.0, false, false), (50.0, true, false)] {
+            setup.position = Mcs([x, 0.0, -10.0]);
+            let mut sim = Sim::new(&setup);
+            sim.in_jog = in_jog;
+            assert_eq!(sim.turn_table(2, Degrees(90.0)).is_err(), meets, "{x} {in_jog}");
+        }
     }
 }
