@@ -58,7 +58,9 @@ describe("an edge", () => {
     await field(page, "x0").fill("10");
     await page.keyboard.press("Enter");
     await step(page, "10000").click();
-    for (let presses = 0; presses < 4; presses++) await axis(page, "Z-").click();
+    for (let presses = 0; presses < 3; presses++) await axis(page, "Z-").click();
+    await axis(page, "Z+").hover();
+    await page.mouse.wheel(0, 100); // backwards
     await position(page, "Z").getByText("\u221210.000").waitFor();
     for (let presses = 0; presses < 4; presses++) await axis(page, "X+").click();
     await page.locator(".jog-raised").waitFor();

@@ -3,6 +3,7 @@
 use super::calls::{CallSite, calls_on};
 use super::change::{Edit, apply, behind_label, line_end};
 use super::compared::{ComparedValue, compared};
+use super::jumped::Jumped;
 use super::own_words::{Lines, emptied, mark_before, own_words, without_comment};
 use super::readers::{Outside, Readers};
 use super::write::{Values, Written, snippet_of, value};
@@ -46,6 +47,7 @@ struct Job<'a> {
     sites: &'a [CallSite],
     readers: Readers,
     outside: Outside,
+    jumped: Jumped,
     style: Style,
     control: &'a Control,
     /// Whether all calls are converted: what is said of one is told where it stands.
@@ -133,7 +135,8 @@ fn style_of(site: &CallSite) -> Style {
 
 impl<'a> Job<'a> {
     fn new(program: &'a Program, sites: &'a [CallSite], style: Style, control: &'a Control, all: bool) -> Job<'a> {
-        Job { program, sites, readers: Readers::of(program), outside: Outside::of(program), style, control, all }
+        let (readers, outside) = (Readers::of(program), Outside::of(program));
+        Job { program, sites, readers, outside, jumped: Jumped::of(program), style, control, all }
     }
 
     /// The edits of one call, or why there are none.
@@ -355,7 +358,8 @@ impl Job<'_> {
         let mut lines: Vec<String> = self.kept(site, &own, &written.said, stays);
         lines.extend(text.lines().map(str::to_owned));
         let call = lines.pop().unwrap_or_default();
-        let mut edits: Vec<Edit> = emptied(program, &own, |line, _| line == site.line);
+        let mut edits: Vec<Edit> =
+            emptied(program, &own, |line, block| line == site.line || self.jumped.has(program, block));
         if let (true, Some((_, place))) = (marks, mark_before(program, site)) {
             edits.push(without_comment(program, place));
         }

@@ -15,6 +15,7 @@ pub mod defined_here;
 mod findings;
 pub mod flow;
 mod held;
+mod jumped;
 pub mod lists;
 pub mod of_control;
 pub mod others;

@@ -4,6 +4,7 @@ use super::arguments;
 use super::calls::{CallSite, calls_on};
 use super::change::{Edit, apply, change};
 use super::compared::{ComparedValue, compared};
+use super::jumped::Jumped;
 use super::own_words::{emptied, own_words};
 use super::touched::{TouchedLine, elsewhere};
 use super::variables::{Variable, variables};
@@ -174,7 +175,8 @@ fn without(program: &Program, site: &CallSite, names: &[Name]) -> Option<Vec<Edi
         word.is_some_and(|word| matches!(word.kind, WordKind::Assign { .. }))
     };
     let words = own_words(program, site, false, |name| names.iter().any(|one| *one == name) && is_word(name));
-    let mut edits = emptied(program, &words, |line, _| line == site.line);
+    let jumped = Jumped::of(program);
+    let mut edits = emptied(program, &words, |line, block| line == site.line || jumped.has(program, block));
     for name in names.iter().filter(|name| !is_word(name)) {
         let place = site.own_place(name);
         let argument = place.filter(|place| arguments::is_argument(program, *place));

@@ -45,6 +45,19 @@ fn a_call_is_converted_in_place() {
     assert_eq!(same, (text.to_owned(), vec!["convert-same".to_owned()]));
 }
 
+// oracle: hand: a jump, a repetition or a CASE still finds the block whose values go; a target that a run computes may be
+// any
+#[test]
+fn a_block_number_that_something_leads_to_stays() {
+    for leads in ["GOTOF N20", "REPEATB N0020", "CASE R1 OF 1 GOTOF N20 DEFAULT GOTOF N40", "GOTOF \"N\"<<R2"] {
+        let text = format!("N10 {leads}\nN20 _MVAR=0 _SETVAL=100 _MA=1 _KNUM=0 _FA=3\nN30 CYCLE978\nN40 M30\n");
+        let (indirect, _) = converted(&text, 0, Style::Indirect);
+        assert!(indirect.lines().any(|line| line.trim() == "N20"), "{leads}\n{indirect}");
+    }
+    let text = "N10 G17\nN20 _MVAR=0 _SETVAL=100 _MA=1 _KNUM=0 _FA=3\nN30 CYCLE978\nN40 M30\n";
+    assert!(!converted(text, 0, Style::Indirect).0.contains("N20"));
+}
+
 // oracle: hand
 #[test]
 fn a_call_that_relies_on_the_converted_one_is_told() {

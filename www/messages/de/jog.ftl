@@ -31,6 +31,7 @@ practice-off = { $offset } weicht vom Werkstück ab um
 practice-positions = Positionen
 practice-mcs = MKS
 practice-axes = Achstasten
+practice-wheel = Mausrad: vorwärts plus, rückwärts minus
 practice-axis-plus = { $axis } plus
 practice-axis-minus = { $axis } minus
 practice-increment = Schrittmaß

@@ -31,6 +31,7 @@ practice-off = { $offset } differs from the part by
 practice-positions = Positions
 practice-mcs = MCS
 practice-axes = Axis keys
+practice-wheel = Wheel: forwards plus, backwards minus
 practice-axis-plus = { $axis } plus
 practice-axis-minus = { $axis } minus
 practice-increment = Increment

@@ -31,6 +31,7 @@ practice-off = { $offset } 与工件相差
 practice-positions = 位置
 practice-mcs = 机床坐标系
 practice-axes = 轴按键
+practice-wheel = 滚轮：向前为正，向后为负
 practice-axis-plus = { $axis } 正向
 practice-axis-minus = { $axis } 负向
 practice-increment = 增量

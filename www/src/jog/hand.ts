@@ -14,6 +14,9 @@ const AXES = ["X", "Y", "Z"] as const;
 /** Increments as the keys of the machine have them; 0: as long as the key is held down. */
 const STEPS = [1, 10, 100, 1000, 10_000, 0];
 const TICK = 100; // ms between two pieces of a way
+/** Pixels that the wheel turns for a step: less than a notch of any mouse, more than the last turn of a touchpad. */
+const NOTCH = 50;
+const LINE = 20; // pixels, where the wheel counts in lines
 
 /** The axis of a key, and its direction. */
 export function axisOf(meant: Exclude<Command<"jog">, "start">): { axis: string; sign: number } {
@@ -51,6 +54,16 @@ export function createHand(root: HTMLElement, practice: Practice, stop: AbortSig
   const press = (event: MouseEvent, axis: string, sign: number): void => {
     if (now?.jog.step !== 0 || event.detail === 0) go(axis, sign);
   };
+  let turned = 0;
+  /** The wheel over the keys of an axis is its handwheel. */
+  const turn = (event: WheelEvent, axis: string): void => {
+    if (event.ctrlKey || event.deltaY === 0) return;
+    event.preventDefault(); // the page stays
+    turned += event.deltaY * (event.deltaMode === WheelEvent.DOM_DELTA_LINE ? LINE : 1);
+    if (Math.abs(turned) < NOTCH) return;
+    go(axis, turned < 0 ? 1 : -1);
+    turned = 0;
+  };
   const axisKey = (axis: string, sign: 1 | -1): TemplateResult => {
     const side = sign > 0 ? "plus" : "minus";
     return html`
@@ -59,12 +72,14 @@ export function createHand(root: HTMLElement, practice: Practice, stop: AbortSig
         class="jog-axis"
         data-axis="${axis}${sign > 0 ? "+" : "-"}"
         aria-label=${t(`practice-axis-${side}`, { axis })}
+        title=${t("practice-wheel")}
         aria-keyshortcuts=${ariaKey("jog", `${axis.toLowerCase()}-${side}` as Command<"jog">)}
         @pointerdown=${() => hold(axis, sign)}
         @pointerup=${rest}
         @pointerleave=${rest}
         @pointercancel=${rest}
         @click=${(event: MouseEvent) => press(event, axis, sign)}
+        @wheel=${(event: WheelEvent) => turn(event, axis)}
       >
         ${sign > 0 ? `${axis}+` : `${axis}\u2212`}
       </button>

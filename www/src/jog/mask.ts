@@ -346,10 +346,10 @@ function keys(jog: JogState, seen: PracticeView, practice: Practice): TemplateRe
         ${iconPart("play")}${t("practice-nc-start")}
       </button>
       ${
-        seen.points.length
+        calculate && seen.points.length
           ? html`<button
               type="button"
-              class=${calculate ? "jog-calculate primary" : "jog-calculate"}
+              class="jog-calculate primary"
               @click=${() => practice.press("calculate")}
             >
               ${t("practice-calculate")}

@@ -6,7 +6,7 @@ mod called;
 mod force;
 mod passes;
 mod state;
-mod structure;
+pub(super) mod structure;
 
 pub use called::{Called, before, called, called_here, callers, named_outside};
 pub use force::{Forces, changes_tools};
