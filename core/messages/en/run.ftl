@@ -154,7 +154,7 @@ run-skipped-dry-run = { $word } is skipped: dry run ($P_DRYRUN). _OVR[] and _OVI
 run-skipped-program-test = { $word } is skipped: program test ($P_ISTEST). _OVR[] and _OVI[] keep their values, nothing is corrected.
 run-skipped-block-search = { $word } is skipped: block search ($P_SEARCH). _OVR[] and _OVI[] keep their values, nothing is corrected.
 run-skipped-simulation = { $word } is skipped: simulation with _MC_SIMSIM = 0. _OVR[] and _OVI[] keep their values, nothing is corrected.
-run-jobshop = { $word } is simulated: it measures, but corrects nothing, shows no result, does not monitor for collision and writes no log.
+run-jobshop = { $word } is simulated: it measures, but does not correct, show, monitor for collision or log anything.
 run-deviation = { $word } measures { $deviation } mm beyond the touch in the measuring direction (_MC_SIMDIFF).
 run-search-missed = The block search did not reach line { $line }: all measuring cycles were skipped.
 run-search-target = The block search has no target: all measuring cycles were skipped. Enter the line at which it ends.

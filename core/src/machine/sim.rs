@@ -78,7 +78,7 @@ pub struct Sim {
     pub in_cycle: bool,
     /// What of a measurement only seems so.
     pub pretended: Pretended,
-    /// Measuring in JOG: nobody cuts, so a tool that meets the part is a collision, and nothing but a probe measures it.
+    /// Measuring in JOG: nobody cuts, so a tool that meets the part is a collision, and only a probe measures it.
     pub in_jog: bool,
     /// No axis moves, though it is drawn where it would go: nothing is hit.
     pub still: bool,

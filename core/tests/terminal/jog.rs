@@ -35,11 +35,11 @@ fn a_session_prints_points_results_and_offsets() {
     at(5, "P1: X 20, Y -3, Z -8");
     at(11, "Measured X0 = 0 mm");
     at(11, "Angle α = 0°");
-    at(11, "$P_UIFR[1,X,TR]: 10 -> 0");
-    at(11, "$P_UIFR[1,X,FI]: 0.1 -> 0");
+    at(11, "$P_UIFR[1,X,TR]: 10 -> 0 mm");
+    at(11, "$P_UIFR[1,X,FI]: 0.1 -> 0 mm");
     at(11, "G54 was corrected, but it is not active.");
     at(18, "Measured Z0 = -5 mm"); // G54 is active from line 12 on
-    at(18, "$P_UIFR[1,Z,TR]: 5 -> 0");
+    at(18, "$P_UIFR[1,Z,TR]: 5 -> 0 mm");
     assert!(told.ends_with("Active: G54\nThe mask Set edge is open.\n"), "{told}");
 }
 
@@ -149,7 +149,7 @@ fn what_the_next_key_would_do_is_told() {
     let script = CORNER.strip_suffix("start\n").unwrap();
     let told = out(&jog("ahead.jog", script, &["--what-if"]).1);
     assert!(told.contains("\nNC start would\n  touch at X 40, Y 40, Z "), "{told}");
-    assert!(told.contains("\n  show Measured Z0 = -5 mm\n  write $P_UIFR[1,Z,TR]: 5 → 0\n"), "{told}");
+    assert!(told.contains("\n  show Measured Z0 = -5 mm\n  write $P_UIFR[1,Z,TR]: 5 → 0 mm\n"), "{told}");
     assert!(!out(&jog("ahead.jog", script, &[]).1).contains("NC start would"));
     let told = out(&jog("ahead.jog", "mask set_edge\nmove X-200 Z-8\n", &["--what-if"]).1);
     assert!(told.contains("NC start would\n  raise alarm 61301: "), "{told}");

@@ -653,7 +653,8 @@ fn a_probe_test_is_printed_whatever_its_touches_come_to() {
 // oracle: manual B:13064-13069 (MD11420 is 1 to 1000000)
 #[test]
 fn a_setup_with_a_value_outside_of_its_limits_is_told() {
-    let text = br#"{ "control": "sinumerik", "data": { "MD11420": 0, "_MT_COMP": 9 }, "probe": { "radius": 3, "length": 50 } }"#;
+    let text = br#"{ "control": "sinumerik", "data": { "MD11420": 0, "_MT_COMP": 9 },
+        "probe": { "radius": 3, "length": 50 } }"#;
     let setup = file("outside.json", text);
     let path = file("outside.mpf", b"G0 X1\nM30\n");
     let done = probewright(&["run", &path, "--setup", &setup]);

@@ -45,8 +45,8 @@ fn a_call_is_converted_in_place() {
     assert_eq!(same, (text.to_owned(), vec!["convert-same".to_owned()]));
 }
 
-// oracle: hand: a jump, a repetition or a CASE still finds the block whose values go; a target that a run computes may be
-// any
+// oracle: hand: a jump, a repetition or a CASE still finds the block whose values go; a target that a run computes may
+// be any
 #[test]
 fn a_block_number_that_something_leads_to_stays() {
     for leads in ["GOTOF N20", "REPEATB N0020", "CASE R1 OF 1 GOTOF N20 DEFAULT GOTOF N40", "GOTOF \"N\"<<R2"] {

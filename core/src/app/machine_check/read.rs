@@ -576,7 +576,10 @@ mod tests {
         // oracle: self (both readers of a definition file find the same values, or both tell them)
         #[test]
         fn values_are_read_as_in_a_program(
-            list in prop::collection::vec(prop::sample::select(vec!["", "1", "-2.5", "TRUE", "abc", "(1", "\"A\""]), 0..7),
+            list in prop::collection::vec(
+                prop::sample::select(vec!["", "1", "-2.5", "TRUE", "abc", "(1", "\"A\""]),
+                0..7,
+            ),
             form in 0..4_usize,
             closed in prop::bool::weighted(0.9),
         ) {
@@ -598,8 +601,8 @@ mod tests {
             }
             match as_a_program(&values) {
                 Some(wanted) => {
-                    let found: Vec<_> =
-                        (0..6).map(|at| read.data.get(&(format!("_MFS[{at}]"), 0)).map(|one| shown(&one.value))).collect();
+                    let datum = |at: usize| read.data.get(&(format!("_MFS[{at}]"), 0));
+                    let found: Vec<_> = (0..6).map(|at| datum(at).map(|one| shown(&one.value))).collect();
                     let wanted: Vec<_> = wanted.iter().map(|one| one.map(|number| number.to_string())).collect();
                     prop_assert_eq!((told, found), (false, wanted), "{}", values);
                 }

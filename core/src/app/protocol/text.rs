@@ -72,8 +72,8 @@ fn parted(text: &str) -> Option<char> {
     })
 }
 
-/// What parts the fields of a log of the control: it stands between cycle, `_MVAR` and its number (B:11486-11512). Other
-/// lines have what their programmer wrote.
+/// What parts the fields of a log of the control: it stands between cycle, `_MVAR` and its number (B:11486-11512).
+/// Other lines have what their programmer wrote.
 fn of_heading(line: &str) -> Option<Option<char>> {
     let (before, behind) = line.split_once("_MVAR")?;
     let (before, behind) = (before.trim_end(), behind.trim_start());

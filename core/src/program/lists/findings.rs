@@ -74,11 +74,20 @@ fn with_cure(program: &Program, site: &CallSite, call: &ListCall, one: Diagnosti
 fn with_path(program: &Program, site: &CallSite, call: &ListCall, one: Diagnostic) -> Diagnostic {
     let default = site.cycle.param(names::FA.as_str()).and_then(|param| param.default);
     let Some((path, index)) = default.zip(call.list.position(names::FA)) else { return one };
+    if is_expression(call, index) {
+        return one;
+    }
     let edits: Vec<Edit> = set(program, call, index, &path.to_string()).into_iter().collect();
     if edits.is_empty() {
         return one;
     }
     one.cured(Message::new("newer-set-path").number("value", path), edits)
+}
+
+/// Whether an argument is more than a number: no cure puts a value in its place.
+fn is_expression(call: &ListCall, index: usize) -> bool {
+    let text = call.arguments.get(index).map_or("", |argument| argument.text.as_str());
+    !text.is_empty() && !matches!(parse(text), Parsed::Number(_))
 }
 
 /// A number in argument 2 that this variant does not correct: the variant that does, or no number.
@@ -96,6 +105,7 @@ fn with_target(program: &Program, site: &CallSite, call: &ListCall, one: Diagnos
             let label = Message::new("newer-set-variant").text("value", text.as_str());
             one.cured(label, set(program, call, 0, &text).into_iter().collect())
         }
+        None if is_expression(call, 1) => one,
         None => one.cured(Message::new("newer-set-none"), set(program, call, 1, "").into_iter().collect()),
     }
 }

@@ -160,6 +160,18 @@ fn published_faults_have_a_cure() {
     assert_eq!(cured(tool, "newer-target").as_deref(), Some(&*tool.replacen("2001", "", 1)));
 }
 
+// oracle: hand (an expression is the user's; a number that cannot be, or none, has the path as delivered for its cure)
+#[test]
+fn no_cure_puts_a_path_in_the_place_of_an_expression() {
+    let alarm = |path: &str| {
+        let text = format!("R24=-61\nCYCLE977(101,1,,1,50,,,{path},5)\n");
+        let program = read(Dialect::Sinumerik, text.as_bytes());
+        let mut found = findings(&program).into_iter().filter(|one| one.code == Code::Alarm(61308));
+        found.next().map(|one| one.cure.is_some())
+    };
+    assert_eq!(["(1+R24)", "R24", "-60", ""].map(alarm), [Some(false), Some(false), Some(true), Some(true)]);
+}
+
 // oracle: hand (a tool target in S_KNUM1 is no argument too many; two ways to mend it are none)
 #[test]
 fn a_call_is_not_moved_on_suspicion() {
