@@ -52,6 +52,7 @@ const AXIS_KEYS = {
 /** With keys alone: the focus goes where it is wanted by Tab. */
 const keys = page => {
   const go = async selector => {
+    await page.locator(selector).waitFor({ state: "attached" }); // Calculate comes with the last point
     const way = await page.evaluate(wanted => {
       const [node, now] = [document.querySelector(wanted), document.activeElement];
       if (node === now) return "";

@@ -2574,6 +2574,8 @@ export type ProtocolRequest = {
   run: RunRequest,
   /** The files of the protocol in their order: a log goes on in files that follow. */
   protocol: Array<string>,
+  /** Their names, by which a file that is missing is noticed; absent: nobody knows. */
+  names?: Array<string>,
   /** What stands in which column; absent: the figures of a line tell it. */
   columns?: ProtocolColumns,
 };
@@ -2594,6 +2596,8 @@ export type ProtocolView = {
   unfit: Array<ProtocolLine>,
   /** Lines that were laid though something in them contradicts it, in their order. */
   doubtful: Array<ProtocolLine>,
+  /** A file of the log that is missing; absent: none is. */
+  gap?: Message,
   /** How the faces that were touched lie, in their order. */
   arrows: Array<Arrow>,
   /**

@@ -4,6 +4,7 @@ protocol-ending = { $fitted ->
     [one] 1 Zeile des Protokolls passt. Zeilen, die nicht passen: { $unfit }. Aufrufe ohne Wert: { $missing }.
    *[other] { $fitted } Zeilen des Protokolls passen. Zeilen, die nicht passen: { $unfit }. Aufrufe ohne Wert: { $missing }.
 }
+protocol-gap = { $name } fehlt: Was darin gemessen wurde, hat keinen Wert oder steht bei einem anderen Aufruf. Alle Dateien des Protokolls auswählen.
 protocol-empty = Das Protokoll ist leer: die Datei wählen, die die Maschine geschrieben hat.
 protocol-large = Das Protokoll hat mehr als { $most } Zeilen: teilen, eine Datei je Teil.
 protocol-no-calls = Das Programm misst nichts, wofür ein Protokoll Werte haben könnte: das Programm öffnen, das die Maschine ausgeführt hat.

@@ -4,6 +4,7 @@ protocol-ending = { $fitted ->
     [one] 1 line of the protocol fits. Lines that do not fit: { $unfit }. Calls without a value: { $missing }.
    *[other] { $fitted } lines of the protocol fit. Lines that do not fit: { $unfit }. Calls without a value: { $missing }.
 }
+protocol-gap = { $name } is missing: what was measured in it has no value, or stands at another call. Choose all files of the log.
 protocol-empty = The protocol is empty: choose the file that the machine wrote.
 protocol-large = The protocol has more than { $most } lines: split it, a file for each part.
 protocol-no-calls = The program measures nothing that a protocol could have values for: open the program that the machine carried out.

@@ -1,6 +1,7 @@
 # 真实机床的测量记录：为何某一行或整个记录不能采用，以及如何处理。
 
 protocol-ending = 测量记录中相符的行：{ $fitted }。不相符的行：{ $unfit }。没有数值的调用：{ $missing }。
+protocol-gap = 缺少 { $name }：其中的测量没有数值，或被放到另一次调用上。请选择该记录的所有文件。
 protocol-empty = 测量记录为空：请选择机床写出的文件。
 protocol-large = 测量记录超过 { $most } 行：请拆分，每个零件一个文件。
 protocol-no-calls = 此程序不测量任何内容，测量记录中不会有相应数值：请打开机床执行的程序。

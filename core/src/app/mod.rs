@@ -112,7 +112,7 @@ pub use program::{
     Arrival, CallView, OtherCall, ProgramParameter, ProgramPlace, ReadRequest, ReadView, calls, calls_on, read,
 };
 pub use program_text::ProgramText;
-pub use protocol::{Arrow, ProtocolColumns, ProtocolLine, ProtocolRequest, ProtocolView, laid, protocol};
+pub use protocol::{Arrow, ProtocolColumns, ProtocolLine, ProtocolRequest, ProtocolView, laid, missing_file, protocol};
 pub use record::{
     CalibrationState, ProbeOfCall, Record, RecordAbout, RecordFile, TableCall, TableRequest, csv, record_table,
 };

@@ -77,7 +77,7 @@ export function createProtocol({ core, arrows, real }: ProtocolWays, changed: ()
     const setup = machineTo(state, derived.view);
     const run = { control: state.form.control, text: derived.program, ...(setup ? { setup } : {}), ...given };
     const chosen = Object.keys(columns).length ? { columns } : {};
-    const asked: ProtocolRequest = { run, protocol: file.texts, ...chosen };
+    const asked: ProtocolRequest = { run, protocol: file.texts, names: file.names, ...chosen };
     [busy, problem] = [true, ""];
     show();
     prover ??= createProver(module);
@@ -169,6 +169,7 @@ export function createProtocol({ core, arrows, real }: ProtocolWays, changed: ()
               ${guidePart("measured")}
             </p>
             <p role="alert" ?hidden=${!problem}>${problem}</p>
+            ${view?.gap ? html`<p role="alert">${say(view.gap)}</p>` : nothing}
             ${view ? [told(view.unfit, "protocol-unfit"), told(view.doubtful, "protocol-doubtful")] : nothing}
             ${
               heads.length > 1

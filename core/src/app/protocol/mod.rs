@@ -3,6 +3,7 @@
 
 mod arrows;
 mod fit;
+mod gaps;
 mod heads;
 #[cfg(test)]
 mod tests;
@@ -35,6 +36,8 @@ pub struct ProtocolRequest {
     pub run: RunRequest,
     /// The files of the protocol in their order: a log goes on in files that follow.
     pub protocol: Vec<String>,
+    /// Their names, by which a file that is missing is noticed; absent: nobody knows.
+    pub names: Option<Vec<String>>,
     /// What stands in which column; absent: the figures of a line tell it.
     pub columns: Option<ProtocolColumns>,
 }
@@ -66,7 +69,7 @@ pub struct ProtocolColumns {
 
 /// A protocol laid onto the calls of a program.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
 pub struct ProtocolView {
     /// What each call came to on the machine.
     pub answers: Vec<RunAnswer>,
@@ -82,6 +85,9 @@ pub struct ProtocolView {
     pub unfit: Vec<ProtocolLine>,
     /// Lines that were laid though something in them contradicts it, in their order.
     pub doubtful: Vec<ProtocolLine>,
+    /// A file of the log that is missing; absent: none is.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub gap: Option<Message>,
     /// How the faces that were touched lie, in their order.
     pub arrows: Vec<Arrow>,
     /// Fields of the line with the headings, else of the first line of the protocol: names of its columns, where it is
@@ -131,7 +137,8 @@ pub fn protocol(asked: ProtocolRequest) -> Result<ProtocolView, Error> {
     let mut run = Run::new(asked.run)?;
     while !run.advance(10_000) {}
     let source = run.view().trace;
-    laid(&asked.protocol, asked.columns.as_ref(), &source.setup, &source.outcome)
+    let view = laid(&asked.protocol, asked.columns.as_ref(), &source.setup, &source.outcome)?;
+    Ok(ProtocolView { gap: missing_file(&asked.names.unwrap_or_default(), &source.outcome), ..view })
 }
 
 /// Lays a protocol onto what a program measured in a run.
@@ -199,7 +206,13 @@ pub fn laid(
     let about = RecordAbout::measured(setup);
     let counts = Message::new("protocol-ending").number("fitted", fitted as f64).number("unfit", unfit.len() as f64);
     let ending = counts.number("missing", missing as f64);
-    Ok(ProtocolView { answers, about, ending, fitted, missing, unfit, doubtful, arrows, heads, recognised })
+    let gap = None;
+    Ok(ProtocolView { answers, about, ending, fitted, missing, unfit, doubtful, gap, arrows, heads, recognised })
+}
+
+/// Says which file of a log is missing among those with these names; none: none is, or they say nothing.
+pub fn missing_file(names: &[String], outcome: &Outcome) -> Option<Message> {
+    gaps::gap(names, outcome.files.iter().map(|(name, _)| name))
 }
 
 /// Lines of a protocol as they were laid.

@@ -1,7 +1,7 @@
 //! A protocol of a real machine, laid onto the calls of the program that is run.
 
 use crate::file::{self, Problem};
-use probewright_core::app::{ProtocolColumns, ProtocolView, laid};
+use probewright_core::app::{ProtocolColumns, ProtocolView, laid, missing_file};
 use probewright_core::machine::Setup;
 use probewright_core::message::{Message, printable};
 use probewright_core::run::Outcome;
@@ -70,7 +70,8 @@ impl Protocol {
     pub fn laid(self, setup: &Setup, outcome: &Outcome) -> Result<Laid, Problem> {
         let view = laid(&self.texts, self.columns.as_ref(), setup, outcome);
         let view = view.map_err(|refused| file::wrong_file(&self.paths[0], refused.message))?;
-        Ok(Laid { paths: self.paths, view })
+        let names: Vec<String> = self.paths.iter().map(|path| path.display().to_string()).collect();
+        Ok(Laid { paths: self.paths, view: ProtocolView { gap: missing_file(&names, outcome), ..view } })
     }
 }
 
@@ -90,6 +91,9 @@ impl Laid {
         }
         for one in self.view.unfit.iter().chain(&self.view.doubtful) {
             writeln!(out, "{}:{}: {} | {}", shown(one.file), one.line, words.text(&one.why), one.text)?;
+        }
+        if let Some(gap) = &self.view.gap {
+            writeln!(out, "{path}: {}", words.text(gap))?;
         }
         writeln!(out, "{path}: {}", words.text(&self.view.ending))?;
         Ok(self.view.fitted > 0)
