@@ -33,13 +33,16 @@ export const setups = {
   neither: ["--disable-gpu", "--disable-3d-apis"],
 };
 
-// Starts Chromium in one of the set-ups.
+// Starts Chromium in one of the set-ups. Now and then it crashes while it starts, which no page can help: then once
+// more.
 export async function launch(setup = "neither") {
-  return chromium.launch({
-    executablePath: process.env.CHROME ?? "/usr/bin/chromium",
-    headless: true,
-    args: [...always, ...setups[setup]],
-  });
+  const start = () =>
+    chromium.launch({
+      executablePath: process.env.CHROME ?? "/usr/bin/chromium",
+      headless: true,
+      args: [...always, ...setups[setup]],
+    });
+  return start().catch(start);
 }
 
 // Opens the page in a fresh profile, at the form of a first visit. `problems` fills with everything that must not
