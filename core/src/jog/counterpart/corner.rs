@@ -1,6 +1,6 @@
 //! Four places before the edges of a corner, from where CYCLE961 finds what the hand found. The lines through both
-//! pairs meet on the side of the corner, outside of both (61369), and each pair lies on that side of the other line by which
-//! the cycle knows its direction (B:8046-8050).
+//! pairs meet on the side of the corner, outside of both (61369), and each pair lies on that side of the other line
+//! by which the cycle knows its direction (B:8046-8050).
 
 use super::lay::unit;
 use crate::jog::evaluate::Flat;
@@ -115,7 +115,8 @@ mod tests {
     }
 
     // oracle: manual A:15913, B:8046-8050: the lines of both pairs meet outside of both, and towards the edge is
-    // towards the other pair outside, away from it inside; hand: no place is nearer than the ball, or farther than was free
+    // towards the other pair outside, away from it inside; hand: no place is nearer than the ball, or farther than was
+    // free
     #[test]
     fn four_places_are_a_corner_wherever_it_was_touched() {
         let mut noise = Noise::new(5);
