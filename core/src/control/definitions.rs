@@ -78,6 +78,14 @@ impl First {
             First::Same(value, count) => (element < *count).then_some(value),
         }
     }
+
+    /// For how many elements it stands.
+    pub fn count(&self) -> usize {
+        match self {
+            First::Each(values) => values.len(),
+            First::Same(_, count) => *count,
+        }
+    }
 }
 
 impl Definition {

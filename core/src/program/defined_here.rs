@@ -2,7 +2,6 @@
 //! its control may have changed since that file was activated.
 
 use super::write::definition_files::{counter, size};
-use crate::control::definitions::First;
 use crate::control::{Control, Value, arrays, gud};
 use crate::diagnostic::Diagnostic;
 use crate::own;
@@ -23,13 +22,9 @@ fn differs(one: &Measuring, control: &Control) -> bool {
 
 /// The values that it gives, by the names of the elements.
 fn values(one: &Measuring) -> impl Iterator<Item = (String, &Value)> {
-    let most = match &one.first {
-        First::Each(values) => values.len(),
-        First::Same(_, count) => *count,
-    };
     let names: Vec<String> = match one.sizes.is_empty() {
         true => vec![one.name.clone()],
-        false => arrays::following(&one.name, &one.sizes).take(most).collect(),
+        false => arrays::following(&one.name, &one.sizes).take(one.first.count()).collect(),
     };
     names.into_iter().enumerate().filter_map(|(at, name)| Some((name, one.first.begins(at)?)))
 }

@@ -284,7 +284,7 @@ impl Line<'_> {
         let values = if self.scan.assigns() { self.values(&sizes) } else { Ok(First::Each(Vec::new())) };
         match values {
             Ok(values) => {
-                self.list(found, &sizes, count(&values));
+                self.list(found, &sizes, values.count());
                 self.fill(&Datum { name, sizes, channel: found.channel }, &values, true);
             }
             Err(text) => {
@@ -307,7 +307,7 @@ impl Line<'_> {
         let alone = datum.sizes.is_empty() || of_one(values) && datum.name.contains('[');
         let names = match alone {
             true => vec![datum.name.clone()],
-            false => arrays::following(&datum.name, &datum.sizes).take(count(values)).collect(),
+            false => arrays::following(&datum.name, &datum.sizes).take(values.count()).collect(),
         };
         for (at, name) in names.into_iter().enumerate() {
             if let Some(value) = values.begins(at) {
@@ -344,14 +344,6 @@ fn removed(text: &str) -> Option<&'static str> {
         return None;
     }
     (0..3).find_map(|_| gud::find(&word()?)).map(|gud| gud.name)
-}
-
-/// For how many elements values stand.
-fn count(values: &First) -> usize {
-    match values {
-        First::Each(values) => values.len(),
-        First::Same(_, count) => *count,
-    }
 }
 
 /// Whether it is one value, not several for an array.

@@ -165,7 +165,8 @@ impl<'a> Fit<'a> {
             let near = |told: &Figure| set.is_some_and(|set| (told.value - set).abs() <= NEAR);
             let told = column(beside(name, SETPOINT)).map(|(.., figure)| *figure).filter(near);
             let by = column(beside(name, DIFFERENCE)).map(|(.., figure)| *figure);
-            doubt = doubt.or_else(|| differs(told?, *actual, by?));
+            let wrong = told.zip(by).filter(|(told, by)| !is_difference(*told, *actual, *by));
+            doubt = doubt.or_else(|| wrong.map(|(told, by)| contradicted(told, *actual, by)));
             self.put(index, line, actual.value, told.filter(|told| set.is_some_and(|set| !told.is(set))));
             self.quantities[index].marked = is_marked(field).then(|| line.clone());
         }
@@ -330,12 +331,21 @@ impl<'a> Fit<'a> {
 /// could be the actual value as well.
 fn doubt(figures: &[Figure]) -> Option<Message> {
     let [set, actual, others @ ..] = figures else { return None };
-    let say = |key| Message::new(key).number("set", set.value).number("actual", actual.value);
     if let Some(by) = others.first().filter(|by| by.value.abs() <= NEAR) {
-        return Some(say("protocol-contradicted").number("by", by.value));
+        return Some(contradicted(*set, *actual, *by));
     }
     let other = others.iter().find(|other| (other.value - set.value).abs() <= NEAR)?;
-    Some(say("protocol-ambiguous").number("other", other.value))
+    Some(taken("protocol-ambiguous", *set, *actual).number("other", other.value))
+}
+
+/// What was taken as setpoint and actual value.
+fn taken(key: &'static str, set: Figure, actual: Figure) -> Message {
+    Message::new(key).number("set", set.value).number("actual", actual.value)
+}
+
+/// Says that a figure is not the difference of both.
+fn contradicted(set: Figure, actual: Figure, by: Figure) -> Message {
+    taken("protocol-contradicted", set, actual).number("by", by.value)
 }
 
 /// How far in `_OVR[]` setpoint and difference stand from an actual value, which are 4 to 7 (B:5675-5683);
@@ -350,11 +360,9 @@ fn beside(name: &str, by: i64) -> Option<String> {
     (stem == "_OVR" && (4..8).contains(&number)).then(|| format!("{stem}[{}]", number + by))
 }
 
-/// Says that a difference is not that of setpoint and actual value.
-fn differs(set: Figure, actual: Figure, by: Figure) -> Option<Message> {
-    let fits = Figure { half: by.half + actual.half + set.half, ..by }.is(actual.value - set.value);
-    let say = || Message::new("protocol-contradicted").number("set", set.value).number("actual", actual.value);
-    (!fits).then(|| say().number("by", by.value))
+/// Whether a figure is the difference of setpoint and actual value, as all three are rounded.
+fn is_difference(set: Figure, actual: Figure, by: Figure) -> bool {
+    Figure { half: by.half + actual.half + set.half, ..by }.is(actual.value - set.value)
 }
 
 /// Whether a figure has the mark of a value beyond its limits behind it (B:11439-11441).
@@ -370,9 +378,8 @@ fn part(value: f64) -> i64 {
 /// The actual value behind a setpoint, and whether the difference of both stands there too.
 fn actual(set: Figure, behind: &[Figure]) -> Option<(bool, f64)> {
     let sure = behind.iter().enumerate().find(|(at, actual)| {
-        let by = actual.value - set.value;
         let mut others = behind.iter().enumerate().filter(|(other, _)| other != at);
-        others.any(|(_, one)| Figure { half: one.half + actual.half + set.half, ..*one }.is(by))
+        others.any(|(_, by)| is_difference(set, **actual, *by))
     });
     let near = || behind.first().filter(|actual| (actual.value - set.value).abs() <= NEAR);
     sure.map(|(_, actual)| (true, actual.value)).or_else(|| near().map(|actual| (false, actual.value)))

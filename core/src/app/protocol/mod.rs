@@ -215,6 +215,12 @@ pub fn missing_file(names: &[String], outcome: &Outcome) -> Option<Message> {
     gaps::gap(names, outcome.files.iter().map(|(name, _)| name))
 }
 
+impl ProtocolLine {
+    fn of(line: &Line, why: Message) -> ProtocolLine {
+        ProtocolLine { file: line.file, line: line.number, text: printable(&line.text), why }
+    }
+}
+
 /// Lines of a protocol as they were laid.
 struct Lay {
     quantities: Vec<Quantity>,
@@ -233,8 +239,7 @@ impl Lay {
                 Some((columns, _)) => fit.row(line, columns).map(|()| None),
                 None => fit.plain(line),
             };
-            let Line { file, number, .. } = *line;
-            let told = |why: Message| ProtocolLine { file, line: number, text: printable(&line.text), why };
+            let told = |why| ProtocolLine::of(line, why);
             match tried {
                 Ok(doubt) => {
                     fitted += 1;
@@ -252,8 +257,8 @@ fn within(one: Quantity, answers: &[RunAnswer]) -> Option<ProtocolLine> {
     let line = one.marked?;
     let figure = answers[one.call].answer.figures.iter().find(|figure| figure.name == one.name)?;
     let beyond = figure.limits.as_ref()?.used.is_none_or(|used| used > 1.0);
-    let why = Message::new("protocol-marked").number("actual", figure.actual);
-    (!beyond).then(|| ProtocolLine { file: line.file, line: line.number, text: printable(&line.text), why })
+    let why = || Message::new("protocol-marked").number("actual", figure.actual);
+    (!beyond).then(|| ProtocolLine::of(&line, why()))
 }
 
 /// The answers with the values of the protocol in the place of those of the run.

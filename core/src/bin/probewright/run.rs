@@ -380,7 +380,6 @@ fn place(joined: &Joined, call: Option<CallAt>) -> String {
     })
 }
 
-/// What each call measured: its results that have a unit.
 /// What is different afterwards, with its unit: that of the basic system, which the program need not have.
 pub fn changed(change: &Change) -> String {
     format!("{}: {} -> {}", change.name, rounded(change.before), with_unit(change.after, change.unit))
@@ -395,6 +394,7 @@ pub fn with_unit(value: f64, unit: &str) -> String {
     }
 }
 
+/// What each call measured: its results that have a unit.
 fn print_results(joined: &Joined, outcome: &Outcome, words: &Words, out: &mut dyn Write) -> std::io::Result<()> {
     for left in outcome.left() {
         let measured = left.results.iter().filter(|(field, _)| field.unit != Unit::None);
