@@ -39,7 +39,7 @@ describe("help", () => {
     await panel(page).getByText("Where is this on my control?").click();
     await panel(page).getByText("Measurem. milling > Workpiece measure > Hole Shaft").waitFor();
     await page.locator("#panel-help").focus();
-    assert.ok(await page.locator(".panel-form .field").first().isVisible());
+    await page.locator(".panel-form .field").first().waitFor();
     await focused(page, "#panel-help");
     await page.keyboard.press("Escape");
     await panel(page).waitFor({ state: "hidden" });
@@ -57,7 +57,7 @@ describe("help", () => {
     await panel(page).locator('.help-page li:has-text("shaft")').first().waitFor();
     await panel(page).getByRole("button", { name: "_ID" }).click();
     await page.waitForFunction(() => document.activeElement?.closest(".field")?.dataset.field === "_ID");
-    assert.ok(await panel(page).isVisible(), "it stays open while the form is filled in");
+    await panel(page).waitFor(); // it stays open while the form is filled in
     await page.locator("#field-_MVAR").fill("7");
     await panel(page).locator(".empty:visible").waitFor();
     assert.deepEqual(problems, []);

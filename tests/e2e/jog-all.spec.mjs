@@ -236,7 +236,7 @@ describe("a measurement in JOG and a program", () => {
     await page.locator(".jog-program-insert").click();
     const field = name => page.locator(`[data-field="${name}"] :is(input, select)`).first();
     await page.locator(".practise-call").waitFor();
-    assert.equal(await page.locator("#panel-form .opened").isVisible(), true, "the form edits the call");
+    await page.locator("#panel-form .opened").waitFor(); // the form edits the call
     assert.ok((await page.locator(".cm-content").textContent()).includes("_SETVAL=5"));
     await page.locator(".practise-call").click();
     await page.locator(".jog-title h3").getByText("Set edge").waitFor();

@@ -245,7 +245,7 @@ describe("every function", () => {
       });
       await page.locator("[data-function]").first().waitFor();
       assert.deepEqual([...(await faults(page)), ...(await small(page))], [], "the functions");
-      assert.equal(await page.locator(".jog-hint").isVisible(), true);
+      await page.locator(".jog-hint").waitFor();
       for (const window of [
         { width, height },
         { width: 320, height: 200 }, // a desktop at 400 %

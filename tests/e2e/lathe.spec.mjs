@@ -77,7 +77,7 @@ describe("a turning machine", () => {
     await counts(page.getByRole("button", { name: "Diameters" }), 0);
     await counts(page.getByLabel("Skew X", { exact: true }), 0);
     assert.equal(await page.getByLabel("Out-of-roundness", { exact: true }).isVisible(), false);
-    assert.equal(await page.getByLabel("Taper", { exact: true }).isVisible(), true);
+    await page.getByLabel("Taper", { exact: true }).waitFor();
     assert.deepEqual(problems, []);
     await context.close();
   });

@@ -326,7 +326,7 @@ describe("a long program", () => {
     release();
     await page.waitForTimeout(1000); // the worker is there by now, and waits
     assert.equal(page.workers().length, 1);
-    assert.equal(await activity.locator('text="The run is paused."').isVisible(), true);
+    await activity.locator('text="The run is paused."').waitFor();
     await activity.getByRole("button", { name: "Continue" }).click();
     await activity.waitFor({ state: "hidden" });
     await page.locator(".results tbody tr").first().waitFor();

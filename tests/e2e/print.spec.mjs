@@ -68,7 +68,7 @@ describe("the page on paper", () => {
       const { width, height } = await page.locator(".sheet-picture").boundingBox();
       assert.ok(width > 250 && height > 120, `${width} × ${height}`);
       for (const part of ["#panel-form .field", "#panel-results tbody tr", ".sheet-view", ".sheet-program"])
-        assert.ok(await page.locator(part).first().isVisible(), part);
+        await page.locator(part).first().waitFor();
       for (const part of [".top", ".panel-bar", ".editor", ".timeline", "#panel-tasks"])
         assert.ok(await page.locator(part).first().isHidden(), part);
       await page.evaluate(() => dispatchEvent(new Event("afterprint")));

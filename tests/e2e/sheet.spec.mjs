@@ -49,7 +49,7 @@ describe("the sheet", () => {
         await drawn(page);
         assert.equal(await stop(page), at);
         assert.deepEqual(await faults(page), []);
-        assert.ok(await page.locator(".answer .verdict").isVisible());
+        await page.locator(".answer .verdict").waitFor();
         const answer = await box(page, ".answer");
         const bar = await box(page, ".sheet-bar");
         assert.ok(answer.y + answer.height <= bar.y + 1, "the answer lies above the sheet");
@@ -101,14 +101,14 @@ describe("the sheet", () => {
     await page.locator('.panel-bar [aria-controls="panel-results"]').click();
     await drawn(page);
     assert.equal(await stop(page), 1);
-    assert.ok(await page.locator("#panel-results").isVisible());
+    await page.locator("#panel-results").waitFor();
     await button(page, "Raise").click();
     await drawn(page);
     assert.ok(await page.locator("#panel-view").isHidden());
     await page.locator(".skip a").nth(2).focus();
     await page.keyboard.press("Enter");
     await drawn(page);
-    assert.ok(await page.locator("#panel-view").isVisible());
+    await page.locator("#panel-view").waitFor();
     await context.close();
   });
 

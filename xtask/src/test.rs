@@ -170,18 +170,22 @@ fn in_the_page(tally: &mut Tally, built: bool) -> Result<()> {
         run(&mut cargo("build --locked --profile test -p probewright-core --all-features --bin probewright"))
     });
     let address = serve::in_background()?;
-    let mut node = command("node");
-    node.args(["--test", "--test-reporter=spec"]).arg(format!("--test-concurrency={}", at_once())).args(specs()?);
-    node.env("CHROME", browser.chrome).env("PROBEWRIGHT_URL", format!("http://{address}/"));
-    node.env("PROBEWRIGHT_SERVER", target().join("debug/probewright"));
-    tally.suite("the page in Chromium", &mut node);
+    tally.files("the page in Chromium", &specs()?, |files| {
+        let mut node = command("node");
+        node.args(["--test", "--test-reporter=spec"]).arg(format!("--test-concurrency={}", at_once(files.len())));
+        node.args(files).env("CHROME", &browser.chrome).env("PROBEWRIGHT_URL", format!("http://{address}/"));
+        node.env("PROBEWRIGHT_SERVER", target().join("debug/probewright"));
+        node
+    });
     Ok(())
 }
 
 /// How many browsers run beside each other: a page takes a bit more than one core while it starts, then less. With more
-/// of them than two the software that draws for them makes all of them wait.
-fn at_once() -> usize {
-    std::thread::available_parallelism().map_or(1, |cores| cores.get().clamp(1, 2))
+/// of them than two the software that draws for them makes all of them wait. A few files run one after another: they run
+/// once more, to see whether they fail with nothing beside them.
+fn at_once(files: usize) -> usize {
+    let most = if files > 3 { 2 } else { 1 };
+    std::thread::available_parallelism().map_or(1, |cores| cores.get().clamp(1, most))
 }
 
 /// The browser tests, in order of their names.
