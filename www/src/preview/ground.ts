@@ -132,14 +132,17 @@ function heightsOf(mesh: Mesh, { turning, height, middle: [u0, v0], size }: Fram
 /** Where something stands between a place on the ground and the light, 0 to 1. */
 function shadowOf(heights: Float32Array, cell: number): Float32Array {
   const shadow = new Float32Array(heights.length);
-  const steps = Math.ceil(0.3 * CELLS);
   const aside = Math.hypot(...LIGHT);
+  // cells are whole numbers: how far a step leads aside is the same from each
+  const leads = (one: number): number[] =>
+    Array.from({ length: Math.ceil(0.3 * CELLS) }, (_, step) => Math.round((-step * one) / aside));
+  const [right, down] = [leads(LIGHT[0]), leads(LIGHT[1])];
   for (let row = 0; row < CELLS; row++)
     for (let column = 0; column < CELLS; column++) {
       let found = heights[row * CELLS + column]! > 0 ? 1 : 0;
-      for (let step = 1; !found && step < steps; step++) {
-        const [x, y] = [column - (step * LIGHT[0]) / aside, row - (step * LIGHT[1]) / aside].map(Math.round);
-        const up = x! >= 0 && x! < CELLS && y! >= 0 && y! < CELLS ? heights[y! * CELLS + x!]! : 0;
+      for (let step = 1; !found && step < right.length; step++) {
+        const [x, y] = [column + right[step]!, row + down[step]!];
+        const up = x >= 0 && x < CELLS && y >= 0 && y < CELLS ? heights[y * CELLS + x]! : 0;
         if (up * aside > step * cell) found = 1;
       }
       shadow[row * CELLS + column] = found;
