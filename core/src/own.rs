@@ -192,6 +192,7 @@ sentences! {
     ARRIVES_DIFFERING 151 Note "arrives-differing" "arrives-differing-hint";
     WRITE_VARIANT_OPEN 153 Error "write-variant-open" "write-no-list-hint";
     CONVERT_VARIANT_OPEN 153 Error "write-variant-open" "convert-argument-hint";
+    CONVERT_NO_VARIANT 153 Error "convert-no-variant" "convert-no-variant-hint";
     MIRROR_DATUM 154 Warning "check-mirror-datum" "check-mirror-datum-hint";
     ROTARY_ACROSS 155 Warning "check-rotary-across" "check-rotary-across-hint";
     NCT_ORIENTED 156 Warning "nct-oriented" "nct-oriented-hint";
@@ -247,6 +248,8 @@ sentences! {
     WRITE_DIRECTION 196 Warning "write-direction" "write-direction-hint";
     WRITE_INFEED 196 Warning "write-infeed" "write-infeed-hint";
     WRITE_ROTARY 196 Warning "write-rotary" "write-rotary-hint";
+    CONVERT_INFEED 196 Warning "convert-infeed" "convert-infeed-hint";
+    CONVERT_ROTARY 196 Warning "convert-rotary" "convert-rotary-hint";
     WRITE_COARSE 196 Warning "write-coarse" "write-coarse-hint";
     GENERATION_LIST 197 Warning "generation-list" "generation-list-hint";
     GENERATION_ASSIGNED 197 Warning "generation-assigned" "generation-assigned-hint";
@@ -263,6 +266,8 @@ sentences! {
     FOREIGN_MISSING 201 Warning "foreign-missing" "foreign-missing-hint";
     FOREIGN_SURPLUS 201 Note "foreign-surplus" "";
     FOREIGN_RANGE 202 Error "foreign-range" "foreign-range-hint";
+    FOREIGN_NO_SUCH 202 Error "foreign-no-such" "foreign-no-such-hint";
+    FOREIGN_VALUE 202 Error "foreign-value" "foreign-value-hint";
     FOREIGN_LIMITS 202 Warning "foreign-limits" "foreign-limits-hint";
     NEWER_UNSIMULATED 203 Note "newer-unsimulated" "";
     NEWER_OMITTED 203 Note "newer-omitted" "";
@@ -281,6 +286,7 @@ sentences! {
     OLDER_SUBROUTINE 215 Note "older-subroutine" "";
     OLDER_FACTOR 216 Note "older-factor" "";
     OLDER_MISSING 217 Note "older-missing" "older-missing-hint";
+    CONVERT_ADDED 217 Warning "convert-added" "convert-added-hint";
     OLDER_CLASH 218 Warning "older-clash" "older-clash-hint";
     OLDER_CLASH_LATER 218 Warning "older-clash-later" "older-clash-later-hint";
     CONVERT_SKIPPED 219 Error "convert-skipped" "convert-skipped-hint";

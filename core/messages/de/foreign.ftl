@@ -10,6 +10,10 @@ foreign-missing-hint = Ergänzen: Die Steuerung verlangt jeden Parameter des Zyk
 foreign-surplus = { $name } ist hier für { $call } nicht beschrieben.
 foreign-range = { $name }={ $value } liegt nicht zwischen { $min } und { $max }.
 foreign-range-hint = Einen Wert innerhalb dieser Grenzen eingeben.
+foreign-no-such = { $name }={ $value } bedeutet nichts: Der Parameter wählt aus.
+foreign-no-such-hint = Ganze Zahl von { $min } bis { $max } eingeben; bei einer Richtung 1 oder -1.
+foreign-value = { $name }={ $value } ist weder Zahl noch Q-Parameter.
+foreign-value-hint = Zahl oder Q-Parameter eingeben.
 foreign-limits = { $maximum } ist kleiner als { $minimum }: Kein Maß liegt in den Grenzen.
 foreign-limits-hint = Die beiden Werte vertauschen.
 foreign-unwritten-lacks = { $cycle } wird gelesen und erklärt, aber nicht geschrieben: Keine veröffentlichte Seite zeigt { $names } dieses Zyklus und ihre Reihenfolge.

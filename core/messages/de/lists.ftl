@@ -100,6 +100,10 @@ write-infeed = S_ID = { $value } behält sein Vorzeichen. Welches nach unten fü
 write-infeed-hint = Vor dem ersten Lauf das Vorzeichen mit einem Programm vergleichen, das an dieser Maschine läuft.
 write-rotary = S_RA = { $value }: Welche Zahl an neueren Steuerungen für welche Rundachse steht, ist nicht veröffentlicht. Programme schreiben 6.
 write-rotary-hint = S_RA vor dem ersten Lauf an der Steuerung prüfen.
+convert-infeed = S_ID = { $value } behält sein Vorzeichen als { "_ID" }. An neueren Steuerungen sind sich Programme uneins, welches Vorzeichen nach unten führt.
+convert-infeed-hint = Vor dem ersten Lauf das Vorzeichen prüfen, weit über dem Teil.
+convert-rotary = S_RA = { $value } wird { "_RA" } = { $value }; welche Zahl an neueren Steuerungen für welche Rundachse steht, ist nicht veröffentlicht.
+convert-rotary-hint = In { "_RA" } die Nummer der Rundachse unter den Achsen der älteren Steuerung eintragen.
 generation-list = { $cycle } wird mit der Argumentliste neuerer Steuerungen aufgerufen, die Maschine ist aber von Generation { $generation }.
 generation-list-hint = Aufrufe umwandeln oder PW-GENERATION in den Maschinendaten auf 3 setzen.
 generation-assigned = { $cycle } wird wie an älteren Steuerungen aufgerufen, die Maschine ist aber von Generation { $generation } und erwartet Argumentlisten.
@@ -121,7 +125,7 @@ newer-infeed = { "S_ID" } = { $value }: Welches Vorzeichen nach unten führt, is
 newer-infeed-hint = Programme neuerer Steuerungen sind sich über das Vorzeichen uneins. An der Maschine weit über dem Teil testen.
 newer-away = { "S_MD" } = { $value } führt vom Sollwert weg: Der Messtaster steht auf der anderen Seite. Was die Steuerung dann tut, ist nicht veröffentlicht; der Lauf hält hier an.
 newer-away-hint = Messtaster auf der anderen Seite der Fläche positionieren oder die Messrichtung ändern.
-newer-fine = { $value } korrigiert den Grobanteil, und der Feinanteil ist nicht 0. Was aus ihm wird, legt MD 51740 fest, dessen Bit nicht veröffentlicht ist; der Lauf hält hier an.
+newer-fine = { $value } korrigiert den Grobanteil, und der Feinanteil ist nicht 0. Damit hat MD 51740 Bit 5 (Grobverschiebung absolut) zu tun; wie, ist nicht veröffentlicht, daher hält der Lauf hier an.
 newer-fine-hint = Feinanteil der NV vor dem Aufruf löschen oder den Feinanteil korrigieren.
 newer-centre-missing = { "_AMODE" } = 11 heißt, dass der Aufruf den Mittelpunkt angibt; S_XM und S_YM sind aber leer.
 newer-centre-missing-hint = Mittelpunkt in S_XM und S_YM eingeben oder { "_AMODE" } auf 1 setzen.

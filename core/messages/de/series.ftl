@@ -28,7 +28,11 @@ certainty-value = { $value } ± { $expanded } { $unit } (k = { $coverage })  { $
 certainty-proof-good = Nachweislich gut.
 certainty-proof-undecided = Weder gut noch schlecht ist nachgewiesen.
 certainty-proof-bad = Nachweislich schlecht.
-certainty-chances = gut { $good } %, Nacharbeit { $rework } %, Ausschuss { $scrap } %, außerhalb der Grenzen { $beyond } %
+certainty-good = gut { $share } %
+certainty-rework = Nacharbeit { $share } %
+certainty-scrap = Ausschuss { $share } %
+certainty-beyond = außerhalb der Grenzen { $share } %
+certainty-stopped = Vorzeitig beendet: { $share } % der Läufe. Darunter zählen nur die anderen.
 certainty-largest = Größter Beitrag: { $source }, { $share } %.
 certainty-runs = Aus { $runs } Läufen.
 certainty-no-call = Das Programm misst nichts, dessen Unsicherheit sich angeben ließe.

@@ -38,6 +38,10 @@ convert-overwrites-hint = Dort eine Variable mit anderem Namen als { $name } ver
 convert-called = Der Aufruf bleibt unverändert: { $program }, zwischen der Zuweisung von { $name } und dem Aufruf gerufen, kann den Wert lesen oder ändern.
 convert-called-hint = { $name } direkt vor dem Aufruf zuweisen.
 convert-unused = { $cycle } verwendet diese Werte in dieser Variante nicht, daher entfallen sie: { $names }.
+convert-no-variant = Der Aufruf bleibt: Dieses Programm weist { $name } nichts zu; was gemessen wird, weiß nur das rufende Programm.
+convert-no-variant-hint = { $name } vor dem Aufruf zuweisen oder das rufende Programm mit öffnen.
+convert-added = Die Liste braucht Werte, die dieses Programm nicht zuweist; jetzt geschrieben: { $names }. Bisher galt, was in den Daten der Steuerung stand.
+convert-added-hint = Diese Werte prüfen, oder sie vor dem Aufruf zuweisen und ihn erneut umwandeln.
 convert-macro = Der Aufruf bleibt unverändert: Ein Makro liefert mehrere Werte des Aufrufs.
 convert-macro-hint = Zuerst im Programm das Makro durch seinen Text ersetzen.
 

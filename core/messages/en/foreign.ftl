@@ -10,6 +10,10 @@ foreign-missing-hint = Add them: the control asks for every parameter of the cyc
 foreign-surplus = { $name } is not described here for { $call }.
 foreign-range = { $name }={ $value } is outside { $min } to { $max }.
 foreign-range-hint = Enter a value within these limits.
+foreign-no-such = { $name }={ $value } means nothing: the parameter selects.
+foreign-no-such-hint = Enter a whole number from { $min } to { $max }; for a direction 1 or -1.
+foreign-value = { $name }={ $value } is no number and no Q parameter.
+foreign-value-hint = Enter a number or a Q parameter.
 foreign-limits = { $maximum } is smaller than { $minimum }: no size is within the limits.
 foreign-limits-hint = Exchange the two values.
 foreign-unwritten-lacks = { $cycle } is read and explained, but not written: no published page shows { $names } of this cycle and their order.

@@ -100,6 +100,10 @@ write-infeed = S_ID = { $value } keeps its sign. On newer controls programs disa
 write-infeed-hint = Check the sign with a program that runs on this machine, before the first run.
 write-rotary = S_RA = { $value }: which number stands for which rotary axis on newer controls is not published. Programs write 6.
 write-rotary-hint = Check S_RA on the control before the first run.
+convert-infeed = S_ID = { $value } keeps its sign as { "_ID" }. On newer controls programs disagree about the sign that leads down.
+convert-infeed-hint = Check the sign before the first run, well above the part.
+convert-rotary = S_RA = { $value } becomes { "_RA" } = { $value }, but which number stands for which rotary axis on newer controls is not published.
+convert-rotary-hint = Enter the number of the rotary axis in { "_RA" }: its number among the axes of the older control.
 generation-list = { $cycle } is called with the argument list of newer controls, but the machine is of generation { $generation }.
 generation-list-hint = Convert the calls, or set PW-GENERATION to 3 in the machine data.
 generation-assigned = { $cycle } is called as on older controls, but the machine is of generation { $generation }, which takes argument lists.
@@ -121,7 +125,7 @@ newer-infeed = { "S_ID" } = { $value }: which sign leads down is not published, 
 newer-infeed-hint = Programs of newer controls disagree about the sign. Try it on the machine, well above the part.
 newer-away = { "S_MD" } = { $value } leads away from the setpoint: the probe is on its other side. What the control does then is not published; the run stops here.
 newer-away-hint = Position the probe on the other side of the surface, or change the measuring direction.
-newer-fine = { $value } corrects the coarse part, and the fine part is not 0. What becomes of it is set in MD 51740, whose bit is not published; the run stops here.
+newer-fine = { $value } corrects the coarse part, and the fine part is not 0. MD 51740 bit 5 (coarse offset absolute) has to do with it; how is not published, so the run stops here.
 newer-fine-hint = Delete the fine part of the zero offset before the call, or correct the fine part.
 newer-centre-missing = { "_AMODE" } = 11 says that the call gives the centre, but S_XM and S_YM are empty.
 newer-centre-missing-hint = Enter the centre in S_XM and S_YM, or set { "_AMODE" } to 1.

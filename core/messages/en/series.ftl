@@ -28,7 +28,11 @@ certainty-value = { $value } ± { $expanded } { $unit } (k = { $coverage })  { $
 certainty-proof-good = Proven good.
 certainty-proof-undecided = Neither good nor bad is proven.
 certainty-proof-bad = Proven bad.
-certainty-chances = good { $good } %, rework { $rework } %, scrap { $scrap } %, beyond the limits { $beyond } %
+certainty-good = good { $share } %
+certainty-rework = rework { $share } %
+certainty-scrap = scrap { $share } %
+certainty-beyond = beyond the limits { $share } %
+certainty-stopped = Stopped before the end: { $share } % of the runs. Below, only the others count.
 certainty-largest = Largest contribution: { $source }, { $share } %.
 certainty-runs = From { $runs } runs.
 certainty-no-call = The program measures nothing whose certainty could be told.

@@ -38,6 +38,10 @@ convert-overwrites-hint = Use a variable of another name instead of { $name } th
 convert-called = The call is unchanged: { $program }, called between the assignment of { $name } and the call, may read or change it.
 convert-called-hint = Assign { $name } directly before the call.
 convert-unused = { $cycle } does not use these values in this variant, therefore omitted: { $names }.
+convert-no-variant = The call is unchanged: this program assigns nothing to { $name }, so what is measured is known only to the calling program.
+convert-no-variant-hint = Assign { $name } before the call, or open the calling program too.
+convert-added = The list needs values that this program does not assign; written now: { $names }. Until now, what stood in the data of the control counted.
+convert-added-hint = Check these values, or assign them before the call and convert it again.
 convert-macro = The call is unchanged: a macro supplies more than one of its values.
 convert-macro-hint = Replace the macro with its text in the program first.
 

@@ -10,6 +10,10 @@ foreign-missing-hint = 补上：控制系统要求该循环的每个参数。
 foreign-surplus = { $call } 的 { $name } 在这里没有说明。
 foreign-range = { $name }={ $value } 不在 { $min } 至 { $max } 之间。
 foreign-range-hint = 输入此范围内的值。
+foreign-no-such = { $name }={ $value } 没有含义：该参数用于选择。
+foreign-no-such-hint = 请输入 { $min } 到 { $max } 的整数；方向只能是 1 或 -1。
+foreign-value = { $name }={ $value } 既不是数字，也不是 Q 参数。
+foreign-value-hint = 请输入数字或 Q 参数。
 foreign-limits = { $maximum } 小于 { $minimum }：没有尺寸能在极限内。
 foreign-limits-hint = 将两个值对调。
 foreign-unwritten-lacks = { $cycle } 可以读取和说明，但不能生成：没有公开资料给出该循环的 { $names } 及其顺序。

@@ -100,6 +100,10 @@ write-infeed = S_ID = { $value } 保持其符号。在新型控制系统上，�
 write-infeed-hint = 首次运行前，请与在本机床上运行的程序核对符号。
 write-rotary = S_RA = { $value }：新型控制系统中哪个数字代表哪个回转轴未公布。程序中写 6。
 write-rotary-hint = 首次运行前在控制系统上检查 S_RA。
+convert-infeed = S_ID = { $value } 以相同符号写入 { "_ID" }。在新型控制系统上，各程序对哪个符号表示向下的写法并不一致。
+convert-infeed-hint = 首次运行前，请在工件上方足够高处检查符号。
+convert-rotary = S_RA = { $value } 写成 { "_RA" } = { $value }；新型控制系统上哪个数字表示哪个回转轴没有公布。
+convert-rotary-hint = 请在 { "_RA" } 中输入该回转轴在旧版控制系统中的轴号。
 generation-list = { $cycle } 使用了新型控制系统的参数列表，而机床属于第 { $generation } 代。
 generation-list-hint = 转换这些调用，或在机床数据中将 PW-GENERATION 设为 3。
 generation-assigned = { $cycle } 按旧版控制系统的方式调用，而机床属于第 { $generation } 代，使用参数列表。
@@ -121,7 +125,7 @@ newer-infeed = { "S_ID" } = { $value }：哪个符号向下没有公布，因此
 newer-infeed-hint = 新型控制系统的程序对符号不一致。请在机床上远离工件处试验。
 newer-away = { "S_MD" } = { $value } 背离设定值：测头在另一侧。控制系统此时的动作没有公开，运行在此停止。
 newer-away-hint = 把测头定位到表面的另一侧，或更改测量方向。
-newer-fine = { $value } 补偿粗偏移，而精偏移不为 0。精偏移如何变化由 MD 51740 决定，其位没有公布；运行在此停止。
+newer-fine = { $value } 补偿粗偏移，而精偏移不为 0。这与 MD 51740 位 5（粗偏移绝对值）有关；具体作用没有公布，因此运行在此停止。
 newer-fine-hint = 在调用之前清除零点偏移的精偏移，或改为补偿精偏移。
 newer-centre-missing = { "_AMODE" } = 11 表示调用给出了中心，但 S_XM 和 S_YM 为空。
 newer-centre-missing-hint = 请在 S_XM 和 S_YM 中输入中心，或将 { "_AMODE" } 设为 1。

@@ -28,7 +28,11 @@ certainty-value = { $value } ± { $expanded } { $unit }（k = { $coverage }）  
 certainty-proof-good = 证明合格。
 certainty-proof-undecided = 既未证明合格，也未证明不合格。
 certainty-proof-bad = 证明不合格。
-certainty-chances = 合格 { $good } %，返工 { $rework } %，报废 { $scrap } %，超出限值 { $beyond } %
+certainty-good = 合格 { $share } %
+certainty-rework = 返工 { $share } %
+certainty-scrap = 报废 { $share } %
+certainty-beyond = 超出限值 { $share } %
+certainty-stopped = 未到结尾就停止：{ $share } % 的运行。以下只统计其余运行。
 certainty-largest = 最大来源：{ $source }，{ $share } %。
 certainty-runs = 共运行 { $runs } 次。
 certainty-no-call = 程序没有测量任何可给出不确定度的值。

@@ -38,6 +38,10 @@ convert-overwrites-hint = 请在该处改用 { $name } 以外的变量名，然�
 convert-called = 调用保持不变：在 { $name } 的赋值与此调用之间调用的 { $program } 可能读取或更改该值。
 convert-called-hint = 请在调用前直接给 { $name } 赋值。
 convert-unused = { $cycle } 在此方式下不使用这些值，因此省略：{ $names }。
+convert-no-variant = 调用未改变：本程序没有给 { $name } 赋值，只有调用它的程序才知道测量什么。
+convert-no-variant-hint = 请在调用前给 { $name } 赋值，或同时打开调用它的程序。
+convert-added = 参数表需要本程序没有赋值的数据；现已写入：{ $names }。此前以控制系统数据中的值为准。
+convert-added-hint = 请检查这些值，或在调用前赋值后重新转换。
 convert-macro = 调用保持不变：一个宏同时包含此调用的多个值。
 convert-macro-hint = 请先在程序中用宏的文本代替该宏。
 

@@ -3,7 +3,7 @@
 //! named in a note where it is not one that programs of newer controls have, and the call is neither simulated nor
 //! written otherwise. An argument that is omitted is 0 there: who checks a call says so first, by [`with_omitted`].
 
-use super::{Checked, Parsed, Target, check, error, parse, target, typed, variants};
+use super::{Checked, Parsed, Target, check, error, parse, target, variants};
 use crate::control::Control;
 use crate::control::frames::Store;
 use crate::diagnostic::{Code, Diagnostic, Severity};
@@ -113,7 +113,7 @@ fn infeed(cycle: &'static Cycle, list: &ArgumentList, typed: &Typed, control: &C
 }
 
 /// Whether `S_ID` leads down in this list.
-fn is_infeed(list: &ArgumentList) -> bool {
+pub fn is_infeed(list: &ArgumentList) -> bool {
     list.position(names::ID).is_some() && !list.has(ACROSS)
 }
 
@@ -281,8 +281,7 @@ impl<'a> Judged<'a> {
             self.open(name);
         }
         self.found.extend(unread);
-        let path = self.cycle.param(names::FA.as_str()).filter(|_| self.typed.contains_key(names::FA.as_str()));
-        self.found.extend(path.and_then(|param| typed::judge(param, &self.read(), self.control)));
+        self.found.extend(path(text(self.typed, names::FA)));
     }
 
     /// Which sort of target `_KNUM` names; none where the cycle has no target.
@@ -374,16 +373,36 @@ impl<'a> Judged<'a> {
         self.found.push(found.at(Name::new(MODE)));
     }
 
-    /// The number of a workpiece probe.
+    /// The number of a probe.
     fn probe(&mut self) {
         let Parsed::Number(number) = parse(text(self.typed, names::PRNUM)) else { return };
-        if self.cycle.purpose.probe == ProbeUse::Workpiece && !(1.0..=PROBES).contains(&number) {
-            let message = Message::new("check-probe-number").number("number", number);
-            let hint = Message::new("check-probe-number-hint").number("fields", PROBES);
-            self.found.push(error(Code::Alarm(61313), message).hint(hint).at(names::PRNUM));
+        if let Some(found) = probe_number(self.cycle.purpose.probe, number) {
+            self.found.push(found);
             self.foreign.push(names::PRNUM);
         }
     }
+}
+
+/// A measuring path of 0 or below, which no list has (remedy of alarm 61308).
+pub fn path(text: &str) -> Option<Diagnostic> {
+    let Parsed::Number(number) = parse(text) else { return None };
+    let message = Message::new(own::RANGE.cause).text("param", names::FA).number("value", number).text("unit", "");
+    let hint = Message::new("check-range-above-hint").number("min", 0.0).text("unit", "");
+    let found = error(Code::Alarm(61308), message).hint(hint).at(names::FA);
+    (number <= 0.0).then_some(found)
+}
+
+/// A number that no probe of this sort has.
+pub fn probe_number(probe: ProbeUse, number: f64) -> Option<Diagnostic> {
+    let (alarm, most) = match probe {
+        ProbeUse::Workpiece => (61313, PROBES),
+        ProbeUse::Tool => (61416, TOOL_PROBES),
+        _ => return None,
+    };
+    let message = Message::new("check-probe-number").number("number", number);
+    let hint = Message::new("check-probe-number-hint").number("fields", most);
+    let found = error(Code::Alarm(alarm), message).hint(hint).at(names::PRNUM);
+    (!(1.0..=most).contains(&number) || number.fract() != 0.0).then_some(found)
 }
 
 /// The argument for the working plane.

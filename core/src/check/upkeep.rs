@@ -69,9 +69,14 @@ pub const SCREEN_STAYS: &str = "evaluate-screen-stays";
 /// The measuring result screen at a call's end: its time, or that it waits for NC START (B:12564-12578, B:13953-13971).
 /// CYCLE102 shows it (B:2386).
 pub fn screen(machine: &mut dyn Machine, cycle: &Cycle) {
-    if cycle.is_measuring_cycle() && machine.control().bit("_CHBIT[10]") {
+    if shows(machine.control(), cycle) {
         show(machine);
     }
+}
+
+/// Whether a call of this cycle shows its results at its end.
+pub fn shows(control: &Control, cycle: &Cycle) -> bool {
+    cycle.is_measuring_cycle() && control.bit("_CHBIT[10]")
 }
 
 /// Shows it, as long as the machine says, where it shows any.

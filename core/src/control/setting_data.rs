@@ -2,7 +2,7 @@
 //! first has in user data, and some that only they have. Published tables tell numbers and contents; where these are
 //! those of a user datum, its words and its limits count here too.
 
-use super::gud::{self, Element, Gud};
+use super::gud::{self, Element, Gud, element};
 use super::{Control, GENERATION, Value, arrays};
 
 /// A setting datum, or one of the machine data.
@@ -32,6 +32,10 @@ const PROBES: [(&str, &str, f64); 3] =
 const SPEEDS: &str = "_SPEED";
 const SPEEDS_OF_SECOND: [(u32, &str); 3] = [(55_630, "0"), (55_631, "1"), (55_632, "2")];
 const SECOND: f64 = 2.0;
+/// The shape of a tool probe, which newer controls have in more ways: 2 head, 3 cube (deathaxe/sublime-s840d a3b0677,
+/// `doc/en/csdnck.mdat`, SD 54633; SD 54648 is the same in the workpiece system).
+static SHAPE: Element = element("k,8", "").choices(&[0, 2, 3, 101, 201, 301]);
+const SHAPES: [u32; 2] = [54_633, 54_648];
 /// Where setting data begin; below are machine data.
 const SETTINGS: u32 = 54_000;
 
@@ -193,7 +197,8 @@ impl SettingDatum {
     pub fn older(&self, generation: f64) -> Option<(&'static Gud, &'static Element)> {
         let [array, index] = self.of_first(generation);
         let gud = gud::find(array)?;
-        Some((gud, gud.elements.iter().find(|element| element.index == index)?))
+        let element = gud.elements.iter().find(|element| element.index == index)?;
+        Some((gud, if SHAPES.contains(&self.number) { &SHAPE } else { element }))
     }
 
     /// Its name in words: `SD54600`, `MD51740`.
@@ -426,6 +431,20 @@ mod tests {
         assert!(SETTING_DATA.is_sorted_by(|one, other| one.number < other.number));
         for datum in SETTING_DATA {
             assert_eq!(datum.older(OF_LISTS).is_none(), datum.older_name().is_empty(), "{}", datum.number);
+        }
+    }
+
+    // oracle: peer (deathaxe/sublime-s840d a3b0677, SD 54633: 0, 101, 201, 301 as before, 2 head, 3 cube)
+    #[test]
+    fn the_shape_of_a_tool_probe_has_more_values_on_newer_controls() {
+        for number in SHAPES {
+            let (gud, element) = find(&number.to_string()).and_then(|datum| datum.older(OF_LISTS)).unwrap();
+            for value in [0.0, 2.0, 3.0, 101.0, 201.0, 301.0] {
+                assert!(element.takes(value), "{number} {value}");
+            }
+            assert!(!element.takes(1.0));
+            let first = gud.elements.iter().find(|one| one.index == element.index).unwrap();
+            assert!(!first.takes(2.0) && gud.key(first) == gud.key(element));
         }
     }
 

@@ -1,7 +1,7 @@
 //! What is told of a program of such a control.
 
 use super::write::are_crossed;
-use super::{Foreign, ForeignCall, ForeignCycle, ForeignValue, Page, Parameter, control_of, first_line};
+use super::{Foreign, ForeignCall, ForeignCycle, ForeignValue, Page, Parameter, Value, control_of, first_line};
 use crate::diagnostic::{Diagnostic, Edit, Severity};
 use crate::message::Message;
 use crate::own;
@@ -68,7 +68,12 @@ fn of_call(control: &Foreign, cycle: &'static ForeignCycle, call: &ForeignCall) 
             found.push(surplus.text("call", cycle.name).on(one.name_span));
             continue;
         };
-        if one.number().is_some_and(|value| !parameter.range.contains(value)) {
+        let named = parameter.value == Value::Tool && one.text.starts_with('"');
+        if one.is_nothing() && !named {
+            let nothing = own::FOREIGN_VALUE.finding().text("name", parameter.name).text("value", one.text.as_str());
+            found.push(nothing.on(one.span));
+        }
+        if one.number().is_some_and(|value| !parameter.takes(value)) {
             found.push(outside(parameter, one));
         }
     }
@@ -106,7 +111,9 @@ fn written_twice(
 }
 
 fn outside(parameter: &Parameter, one: &ForeignValue) -> Diagnostic {
-    let found = own::FOREIGN_RANGE.finding().text("name", parameter.name).text("value", one.text.as_str());
+    let within = one.number().is_some_and(|value| parameter.range.contains(value));
+    let sentence = if within { own::FOREIGN_NO_SUCH } else { own::FOREIGN_RANGE };
+    let found = sentence.finding().text("name", parameter.name).text("value", one.text.as_str());
     found.number("min", parameter.range.min).number("max", parameter.range.max).on(one.span)
 }
 

@@ -102,6 +102,19 @@ pub struct Parameter {
     pub optional: bool,
 }
 
+impl Parameter {
+    /// Whether the control takes this number: within the limits, and a whole one where it is an axis, a direction or a
+    /// selection. The direction is 1 or -1, and 0 is none.
+    pub fn takes(&self, number: f64) -> bool {
+        let selects = self.range.max - self.range.min < FEW;
+        let whole = number.fract() == 0.0 || !(selects || matches!(self.value, Value::Axis | Value::Direction));
+        self.range.contains(number) && whole && (self.value != Value::Direction || number != 0.0)
+    }
+}
+
+/// Between limits that are nearer to each other a parameter selects.
+const FEW: f64 = 4.0;
+
 /// What a parameter says.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Value {
@@ -223,6 +236,22 @@ impl ForeignValue {
     pub fn number(&self) -> Option<f64> {
         self.text.trim().parse().ok().filter(|value: &f64| value.is_finite())
     }
+
+    /// Whether it is neither a number nor what the control has in its place: another parameter (`Q1`, `-QL5`), a word of
+    /// its own (`PREDEF`, `MAX`, `AUTO`).
+    pub fn is_nothing(&self) -> bool {
+        let text = self.text.trim().trim_start_matches(['+', '-']).to_ascii_uppercase();
+        let parameter = text.strip_prefix('Q').is_some_and(|rest| {
+            let digits = rest.strip_prefix(['L', 'R', 'S']).unwrap_or(rest);
+            !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit())
+        });
+        self.number().is_none() && !parameter && !["PREDEF", "MAX", "AUTO", "FMAX", "FAUTO"].contains(&&*text)
+    }
+}
+
+/// What ends the lines of a text: a carriage return where nothing else does.
+pub fn line_end(source: &[u8]) -> u8 {
+    if source.contains(&b'\n') { b'\n' } else { b'\r' }
 }
 
 /// The control of a program, where it is none of those that are run.
@@ -241,7 +270,8 @@ pub fn log_of(source: &[u8]) -> Option<&'static Foreign> {
 
 /// Place of the first line of a program.
 pub fn first_line(source: &[u8]) -> Span {
-    let end = source.iter().position(|byte| *byte == b'\n').unwrap_or(source.len());
+    let line_end = line_end(source);
+    let end = source.iter().position(|byte| *byte == line_end).unwrap_or(source.len());
     Span { start: 0, end: u32::try_from(end).unwrap_or(u32::MAX) }
 }
 

@@ -73,10 +73,33 @@ fn every_way_of_writing_is_the_same_call() {
         PROGRAM.replace(" ~", ""),
         PROGRAM.replace(" ~", "~"),
         PROGRAM.replace('\n', "\r\n"),
+        PROGRAM.replace('\n', "\r"),
         PROGRAM.replace("TCH PROBE", "tch probe").replace("Q2", "q2"),
         PROGRAM.replace("2 TCH", "/2 TCH"),
     ] {
         assert_eq!(of(&other), first, "{other}");
+    }
+}
+
+// oracle: hand: a direction is 1 or -1, an axis and a selection a whole number, everything else a number or a parameter
+#[test]
+fn a_value_that_says_nothing_is_told() {
+    let told = |name: &str, value: &str| {
+        let text = format!("0 BEGIN PGM A MM\n1 TCH PROBE 427 Q263=+1 Q264=+2 {name}={value}\n");
+        let found = of_program(text.as_bytes()).unwrap();
+        let of_value = ["foreign-value", "foreign-no-such", "foreign-range"];
+        found.into_iter().map(|one| one.message.key).filter(|key| of_value.contains(&&**key)).collect::<Vec<_>>()
+    };
+    for (name, value) in [("Q261", ""), ("Q261", "abc"), ("Q261", "\"T\"")] {
+        assert_eq!(told(name, value), ["foreign-value"], "{name}={value}");
+    }
+    for (name, value) in [("Q267", "0"), ("Q267", "+0.5"), ("Q272", "1.5"), ("Q281", "0.5")] {
+        assert_eq!(told(name, value), ["foreign-no-such"], "{name}={value}");
+    }
+    let right =
+        [("Q261", "-5.25"), ("Q261", "+Q5"), ("Q261", "-QL12"), ("Q267", "-1"), ("Q272", "3"), ("Q330", "\"T\"")];
+    for (name, value) in right {
+        assert_eq!(told(name, value), Vec::<String>::new(), "{name}={value}");
     }
 }
 
@@ -224,6 +247,8 @@ fn a_log_is_read() {
     assert_eq!(twice.len(), 2);
     assert_eq!(plain(&twice[0].rows), plain(&wanted));
     assert!(logs("_MVAR=1\nDiameter: 12\n").is_none());
+    let old = logs(&LOG.replace('\n', "\r")).unwrap().1.remove(0);
+    assert_eq!(plain(&old.rows), plain(&wanted));
 }
 
 // oracle: self (the same log with the decimal sign of another language); hand: what is no figure is told by its line

@@ -53,7 +53,7 @@ pub fn written(
     if !missing.is_empty() {
         return Err(Unwritten::Missing(missing));
     }
-    if let Some((parameter, _)) = values.iter().find(|(parameter, value)| !parameter.range.contains(*value)) {
+    if let Some((parameter, _)) = values.iter().find(|(parameter, value)| !parameter.takes(*value)) {
         return Err(Unwritten::Outside(parameter.name));
     }
     let value = |name: &str| values.iter().find(|(known, _)| known.name == name).map_or(0.0, |(_, value)| *value);

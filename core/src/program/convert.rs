@@ -3,6 +3,7 @@
 use super::calls::{CallSite, calls_on};
 use super::change::{Edit, apply, behind_label, line_end};
 use super::compared::{ComparedValue, compared};
+use super::flow::is_main;
 use super::jumped::Jumped;
 use super::own_words::{Lines, emptied, mark_before, own_words, without_comment};
 use super::readers::{Outside, Readers};
@@ -12,9 +13,10 @@ use crate::catalogue::newer::arguments::Argument;
 use crate::check::{Parsed, newer, parse};
 use crate::control::{Control, gud};
 use crate::diagnostic::{Diagnostic, Span};
-use crate::entry::{AUXILIARY_ARGS, ArgumentList, Cycle, Param, Style, Typed};
+use crate::entry::{AUXILIARY_ARGS, ArgumentList, Cycle, Param, Style, Typed, names};
 use crate::name::Name;
 use crate::support::Mark;
+use crate::syntax::programs::{Programs, programs};
 use crate::syntax::{Program, WordKind};
 use crate::{check, own};
 use std::collections::{BTreeMap, BTreeSet};
@@ -48,6 +50,7 @@ struct Job<'a> {
     readers: Readers,
     outside: Outside,
     jumped: Jumped,
+    programs: Programs,
     style: Style,
     control: &'a Control,
     /// Whether all calls are converted: what is said of one is told where it stands.
@@ -136,7 +139,8 @@ fn style_of(site: &CallSite) -> Style {
 impl<'a> Job<'a> {
     fn new(program: &'a Program, sites: &'a [CallSite], style: Style, control: &'a Control, all: bool) -> Job<'a> {
         let (readers, outside) = (Readers::of(program), Outside::of(program));
-        Job { program, sites, readers, outside, jumped: Jumped::of(program), style, control, all }
+        let (jumped, programs) = (Jumped::of(program), programs(program));
+        Job { program, sites, readers, outside, jumped, programs, style, control, all }
     }
 
     /// The edits of one call, or why there are none.
@@ -147,7 +151,7 @@ impl<'a> Job<'a> {
             return Err(vec![own::CONVERT_MACRO.finding()]);
         }
         let at_call = site.control_at(control);
-        if let Some(finding) = foreign(program, site, &at_call) {
+        if let Some(finding) = foreign(program, site, &at_call).or_else(|| unsaid(site)) {
             return Err(vec![finding]);
         }
         let values = Values { typed: &explicit(site, &at_call), expressions: &site.expressions };
@@ -227,8 +231,11 @@ impl<'a> Job<'a> {
             said.extend(read_still(site, &written, &stays, style));
             said.extend(written.findings);
             said.extend(left_out(program, site));
+            said.extend(doubtful(site));
             if let Some(after) = after.get(index) {
-                converted.values.extend(compared(program, site, after));
+                let differing = compared(program, site, after);
+                said.extend(added(program, &self.programs, site, &differing));
+                converted.values.extend(differing);
             }
             let placed = |one: Diagnostic| if self.all { one.on(site.span) } else { one };
             converted.findings.extend(said.into_iter().map(placed));
@@ -255,6 +262,39 @@ fn read_still(site: &CallSite, written: &Written, stays: &BTreeMap<Name, u32>, s
     let names: Vec<&str> = written.said.iter().filter(itself).map(|name| name.as_str()).collect();
     let variable = own::CONVERT_VARIABLE.finding().texts("names", &names);
     left.into_iter().chain((newer && !names.is_empty()).then_some(variable)).collect()
+}
+
+/// Why a call of which no value says what is measured stays: a list would say it for every program that calls this one.
+fn unsaid(site: &CallSite) -> Option<Diagnostic> {
+    let variant = site.cycle.variant_param().filter(|_| site.list.is_none())?;
+    let said = site.values.get(variant.as_str()).is_some_and(|text| !text.trim().is_empty());
+    (!said).then(|| own::CONVERT_NO_VARIANT.finding().text("name", variant).at(variant))
+}
+
+/// The values that a list has and that no assignment gave: on the control an earlier program's counted. In a program
+/// that others call they are theirs.
+fn added(program: &Program, programs: &Programs, site: &CallSite, differing: &[ComparedValue]) -> Option<Diagnostic> {
+    let new = differing.iter().filter(|one| one.before.is_none() && site.list.is_none());
+    let shown = |one: &ComparedValue| {
+        let text = one.after.as_deref().filter(|text| !newer::is_nothing(text) && *text != "\"\"")?;
+        Some(format!("{} = {text}", one.param))
+    };
+    let names: Vec<String> = new.filter_map(shown).collect();
+    let unit = programs.of_line(site.line).and_then(|unit| programs.units.get(unit));
+    let called = unit.is_some_and(|unit| !is_main(program, unit));
+    let sentence = if called { own::CONVERT_ADDED } else { own::CONVERT_ADDED.as_note() };
+    (!names.is_empty()).then_some(sentence.finding().texts("names", &names))
+}
+
+/// What an argument of a newer control's list means is not sure, though the older call has a place for it.
+fn doubtful(site: &CallSite) -> Vec<Diagnostic> {
+    let Some(list) = site.newer_list() else { return Vec::new() };
+    let value = |name: Name| site.values.get(name.as_str()).filter(|text| !newer::is_nothing(text));
+    let of = |name: Name, sentence: own::Own| {
+        Some(sentence.finding().text("value", value(name)?.as_str()).at(name)).filter(|_| list.position(name).is_some())
+    };
+    let infeed = newer::is_infeed(list).then(|| of(names::ID, own::CONVERT_INFEED)).flatten();
+    infeed.into_iter().chain(of(names::RA, own::CONVERT_ROTARY)).collect()
 }
 
 /// Why no other call style says the same.

@@ -4,7 +4,7 @@ use super::advice::advice;
 use super::block_rules::block_rules;
 use super::calls::macros::of_functions;
 use super::calls::{CallSite, calls_on};
-use super::lists::findings::{of_places, unclosed};
+use super::lists::findings::{of_alone, of_places, unclosed};
 use crate::catalogue::Functions;
 use crate::control::{Control, delivery};
 use crate::diagnostic::{Diagnostic, Edit, Severity, Span};
@@ -47,8 +47,15 @@ pub fn findings_of(program: &Program, sites: &[CallSite], control: &Control) -> 
     // of a name that is an axis the rules for blocks tell
     let defined = defined.findings().filter(|found| found.message.key != "run-axis-name");
     let calls = sites.iter().flat_map(|site| site.diagnostics.iter().cloned());
-    let mut found: Vec<Diagnostic> =
-        syntax.chain(blocks).chain(defined).chain(here).chain(calls).chain(advice).chain(of_places(program)).collect();
+    let mut found: Vec<Diagnostic> = syntax
+        .chain(blocks)
+        .chain(defined)
+        .chain(here)
+        .chain(calls)
+        .chain(advice)
+        .chain(of_places(program))
+        .chain(of_alone(program))
+        .collect();
     for one in &mut found {
         place(program, one);
     }

@@ -23,6 +23,7 @@ pub fn is_of_control(name: &str) -> bool {
         || is_step(name)
         || name.starts_with("CYCLE_") // the parameterizing calls
         || catalogue::find(Dialect::Sinumerik, name).is_some()
+        || catalogue::list::newer_alone(name).is_some()
         || ["MSG", STORE_ENVIRONMENT, SET_ALARM].contains(&name)
         || delivered(name)
         || words::known(name)

@@ -139,6 +139,9 @@ pub fn setting_datum(asked: &str, words: &Words) -> String {
     if let Some(line) = words.find(&Message::new(format!("{}.help", datum.key(OF_LISTS)))) {
         let _ = writeln!(text, "  {line}");
     }
+    for value in datum.older(OF_LISTS).map_or(&[][..], |(_, element)| element.choices) {
+        let _ = writeln!(text, "  {value}: {}", words.key(format!("{}.v{value}", datum.key(OF_LISTS))));
+    }
     let _ = match datum.older_name().as_str() {
         "" => writeln!(text, "  {}", words.key("argument-no-older")),
         older => writeln!(text, "  {}", words.text(&Message::new("argument-older").text("name", older.to_owned()))),

@@ -2,7 +2,7 @@
 
 use super::Outcome;
 use crate::catalogue::log;
-use crate::control::Units;
+use crate::control::{Control, Units};
 use crate::entry::{Cycle, Inputs};
 use crate::machine::{Entry, Step};
 
@@ -17,6 +17,8 @@ pub struct Called {
     pub units: Units,
     /// What its block of values in the log shows; none: it is not logged.
     pub log: Option<log::Layout>,
+    /// What the results of its cycle held when a result screen showed them, in their order; empty: none did.
+    pub shown: Vec<f64>,
 }
 
 /// Whether a call of this cycle is a measurement: it touches, and leaves what it found.
@@ -25,6 +27,13 @@ pub fn measures(cycle: &Cycle) -> bool {
 }
 
 impl Called {
+    /// Keeps what a result screen shows now: later calls write other values.
+    pub fn show(&mut self, control: &Control) {
+        if self.shown.is_empty() {
+            self.shown = self.inputs.cycle.results.iter().map(|field| control.number(field.name)).collect();
+        }
+    }
+
     /// What happened in it, and whether it came to its end.
     pub fn entries(&self, outcome: &Outcome) -> (Vec<Entry>, bool) {
         let mut own = Vec::new();

@@ -104,6 +104,9 @@ pub fn carry_out(run: &mut Interpreter, cycle: &'static Cycle, checked: Checked,
         let logging = run.sim.control.bit(log::ON);
         let from = run.sim.trace.entries.len();
         call::perform(&mut run.sim, inputs).map_err(Halt::at(span))?;
+        if upkeep::shows(&run.sim.control, cycle) {
+            run.called.last_mut().into_iter().for_each(|last| last.show(&run.sim.control));
+        }
         logged::called(run, inputs, span, from, logging);
         return around(run, &BEHIND, cycle, span);
     }
@@ -128,7 +131,7 @@ pub fn carry_out(run: &mut Interpreter, cycle: &'static Cycle, checked: Checked,
 fn keep(run: &mut Interpreter, inputs: Inputs) {
     if called::measures(inputs.cycle) {
         let (at, units) = (run.sim.trace.entries.len(), run.sim.control.active_units);
-        run.called.push(Called { at, inputs, units, log: None });
+        run.called.push(Called { at, inputs, units, log: None, shown: Vec::new() });
     }
 }
 

@@ -18,7 +18,10 @@ pub fn called(run: &mut Interpreter, name: &str, place: Span) -> bool {
         SCREEN if run.called.is_empty() => {
             run.keep(Problem::new("run-screen-empty", place, name).diagnostic(Severity::Note));
         }
-        SCREEN => upkeep::show(&mut run.sim),
+        SCREEN => {
+            upkeep::show(&mut run.sim);
+            run.called.last_mut().into_iter().for_each(|last| last.show(&run.sim.control));
+        }
         DIALOGUE => {
             run.keep(Problem::new("run-dialogue", place, name).diagnostic(Severity::Note));
         }

@@ -5,7 +5,7 @@ use super::newer::{Numbers, lists, numbers, valid};
 use super::{sites, written};
 use probewright_core::check::{Parsed, parse};
 use probewright_core::control::delivery;
-use probewright_core::diagnostic::Diagnostic;
+use probewright_core::diagnostic::{Diagnostic, Severity};
 use probewright_core::dialect::Dialect;
 use probewright_core::entry::{Arg, Style, Typed};
 use probewright_core::program::change::apply;
@@ -50,6 +50,41 @@ fn every_argument_that_a_list_loses_is_named() {
         }
         assert_eq!(said["convert-lost"], "31 = 7");
     }
+}
+
+// oracle: hand (a subprogram whose caller assigns everything; a call that leaves two values to what ran before it)
+#[test]
+fn what_no_assignment_gives_is_not_written_in_silence() {
+    for text in ["PROC SUB\nCYCLE977\nM17\n", "_SETVAL=50 _KNUM=1\nCYCLE977()\nM30\n"] {
+        for style in [Style::Operate, Style::Indirect] {
+            stays(text, style, "convert-no-variant");
+        }
+    }
+    let call = "_MVAR=101 _SETVAL=50 _KNUM=1 _PRNUM=1 _NMSP=1\nCYCLE977\n";
+    for (text, severity) in [(format!("{call}M30\n"), Severity::Note), (format!("{call}M17\n"), Severity::Warning)] {
+        let (_, found) = told(&text, Style::Operate);
+        let added = found.iter().find(|one| one.message.key == "convert-added").expect("told");
+        assert_eq!(added.severity, severity, "{text}");
+        let names: Vec<&str> = added.message.word("names").unwrap().split(", ").collect();
+        assert!(names.contains(&"_FA = 2") && names.contains(&"_TSA = 2"), "{names:?}");
+        assert!(names.iter().all(|name| !name.starts_with("_SETVAL") && !name.ends_with("= 0")), "{names:?}");
+    }
+}
+
+// oracle: hand (practice disagrees about the sign; which number is which axis is not published)
+#[test]
+fn what_is_not_sure_in_a_list_is_told_on_the_way_back() {
+    let infeed = "CYCLE977(104,,,1,50,,,10,5,,-10,,,1,1,\"\",,0,1.01,1.01,-1.01,,,0,,1,1)\nM30\n";
+    let rotary = "CYCLE998(105,1,4,1,1,0,,10,5,102,2,20,,,,,1,0,1,1)\nM30\n";
+    for (text, key) in [(infeed, "convert-infeed"), (rotary, "convert-rotary")] {
+        let (after, said) = names(text, Style::Direct);
+        assert!(after == text || said.contains_key(key), "{after} {said:?}");
+        assert!(said.contains_key(key) || said.contains_key("convert-newer"), "{said:?}");
+    }
+    assert!(names(rotary, Style::Direct).1.contains_key("convert-rotary"));
+    let plain = "CYCLE977(101,1,,1,50,,,10,5,,,,,1,1)\nM30\n";
+    let (_, said) = names(plain, Style::Direct);
+    assert!(!said.contains_key("convert-rotary") && !said.contains_key("convert-infeed"), "{said:?}");
 }
 
 // oracle: hand (they read the assignment, which is gone if it goes with the call)

@@ -43,16 +43,21 @@ export function largestOf({ budget: [largest] }: Certain): string {
   return t("certain-largest", { source: say(largest.source), share: told });
 }
 
+/** The share of the runs that did not come to an end, and count no further; empty: all did. */
+export const stoppedOf = (share: number): string =>
+  share < LEAST ? "" : t("certain-stopped", { share: percent(share) });
+
 /** The most important quantity; none where nothing spreads. */
 export function certainty({ figures, stopped }: CertaintyView): TemplateResult | typeof nothing {
   const first = figures[0];
-  if (!first) return nothing;
+  if (!first)
+    return stopped < LEAST ? nothing : html`<div class="answer-certain"><span>${stoppedOf(stopped)}</span></div>`;
   const { proof } = first;
   const parts = [
     proof ? t(`certain-proof-${proof}`) : "",
     first.chances ? chances(first.chances) : "",
     largestOf(first),
-    stopped >= LEAST ? t("certain-stopped", { share: percent(stopped) }) : "",
+    stoppedOf(stopped),
   ];
   return html`<div class="answer-certain" data-proof=${proof ?? nothing}>
     <span>${spokenOf(first)}</span>${parts.filter(Boolean).map(part => html` <span>${part}</span>`)}

@@ -10,7 +10,7 @@ import { fixed } from "../numbers";
 import { say, sayProblem, t } from "../texts";
 import type { Certain, RunView, WholeCertainty } from "../wire";
 import type { CertainRun } from "./answer";
-import { largestOf, provenOf, spokenOf } from "./certain";
+import { largestOf, provenOf, spokenOf, stoppedOf } from "./certain";
 
 type Row = RunView["answers"][number];
 const LOOK = 250; // ms between two looks at how far it is
@@ -68,12 +68,12 @@ export function createWholeCertain(ways: CertainWays, rows: () => Row[], changed
   };
   const proof = (index: number): Certain | undefined => known?.calls[index]?.figures.find(one => one.proof);
   /** How much of it is proven. */
-  const told = ({ runs, nothing }: WholeCertainty): string => {
+  const told = ({ runs, nothing, stopped }: WholeCertainty): string => {
     if (nothing) return say(nothing);
     const judged = rows().flatMap((_, index) => proof(index)?.proof ?? []);
     const count = (which: Certain["proof"]): number => judged.filter(one => one === which).length;
     const counts = { good: count("good"), undecided: count("undecided"), bad: count("bad") };
-    return t("whole-certain-told", { ...counts, runs });
+    return [stoppedOf(stopped), t("whole-certain-told", { ...counts, runs })].filter(Boolean).join(" ");
   };
   function take(): void {
     const answered = aside.take();

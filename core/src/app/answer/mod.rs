@@ -95,7 +95,8 @@ impl Verdict {
 
 /// The call of a form; none of one that is no measurement.
 pub(super) fn of_call(inputs: &Inputs, outcome: &run::Outcome) -> Option<Answer> {
-    let called = Called { at: 0, inputs: inputs.clone(), units: outcome.before.active_units, log: None };
+    let units = outcome.before.active_units;
+    let called = Called { at: 0, inputs: inputs.clone(), units, log: None, shown: Vec::new() };
     measures(inputs.cycle).then(|| answer(&called, outcome))
 }
 
@@ -111,7 +112,7 @@ pub(super) fn answer(called: &Called, outcome: &run::Outcome) -> Answer {
     let (verdict, alarm) = verdict(inputs, stop, raised, gauge.as_ref(), past(gauge.as_ref(), &sorts));
     Answer {
         feature: feature(inputs),
-        screen: screen::screen(inputs, entries, (called.at, asked(called, entries.len(), outcome)), &outcome.control),
+        screen: screen::screen(called, entries, asked(called, entries.len(), outcome), &outcome.control),
         corrected: corrected::corrected(entries, &outcome.control),
         verdict,
         verdict_words: words(verdict, alarm, gauge.as_ref()),

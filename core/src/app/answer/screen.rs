@@ -7,6 +7,7 @@ use crate::control::Control;
 use crate::entry::{Inputs, ProbeUse, ResultField, unit_name};
 use crate::machine::{Entry, Step};
 use crate::message::Message;
+use crate::run::called::Called;
 use serde::Serialize;
 
 /// A measuring result screen.
@@ -117,19 +118,25 @@ const WORKPIECE: Family = Family {
 /// The tool that is corrected: 0 of a zero offset, which the screen then leaves out (B:12608-12616).
 const CORRECTED: &str = "tool";
 
-/// The screen that a call showed, or that the program asks for behind it (CYCLE102); none: it showed none. `from`:
-/// index of its first entry of the trace; `asked`: what the program asks for, with its index.
+/// The screen that a call showed, or that the program asks for behind it (CYCLE102), with what the results held then;
+/// none: it showed none. `asked`: what the program asks for, with its index in the trace.
 pub fn screen(
-    inputs: &Inputs,
+    called: &Called,
     entries: &[Entry],
-    (from, asked): (usize, Option<(usize, ScreenUntil)>),
+    asked: Option<(usize, ScreenUntil)>,
     control: &Control,
 ) -> Option<ResultScreen> {
-    let own = entries.iter().enumerate().find_map(|(at, entry)| Some((from + at, shown(&entry.step)?)));
+    let inputs = &called.inputs;
+    let own = entries.iter().enumerate().find_map(|(at, entry)| Some((called.at + at, shown(&entry.step)?)));
     let (at, until) = own.or(asked)?;
     let family = family(inputs);
-    let fields: Vec<&ResultField> = inputs.cycle.results.iter().filter(|field| field.when.holds(inputs)).collect();
-    let value = |field: &ResultField| written(entries, field.name).unwrap_or_else(|| control.number(field.name));
+    let results = inputs.cycle.results;
+    let fields: Vec<&ResultField> = results.iter().filter(|field| field.when.holds(inputs)).collect();
+    let value = |field: &ResultField| {
+        let at = results.iter().position(|one| one.name == field.name);
+        let kept = at.and_then(|at| called.shown.get(at)).copied();
+        kept.or_else(|| written(entries, field.name)).unwrap_or_else(|| control.number(field.name))
+    };
     let single = |stem: &&str| {
         let named =
             |field: &&&ResultField| stem_of(field) == *stem || stem_of(field).strip_prefix(*stem).is_some_and(is_axis);

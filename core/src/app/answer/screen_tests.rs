@@ -67,6 +67,19 @@ fn around(before: &str, behind: &str) -> RunView {
     RunView::new(setup, outcome, text.as_bytes())
 }
 
+// oracle: self: what a program does behind a screen is not on it yet
+#[test]
+fn a_screen_shows_what_stood_there_then() {
+    let writes: String = (0..32).map(|at| format!("_OVR[{at}]=77.5\n")).collect();
+    for before in ["_CHBIT[10]=1\n", "_CHBIT[10]=1 _CHBIT[18]=1\n"] {
+        let screen = |behind: &str| around(before, behind).answers[0].answer.screen.clone().unwrap();
+        assert_eq!(screen(&writes), screen(""));
+    }
+    let asked = |behind: &str| around("", behind).answers[0].answer.screen.clone().unwrap();
+    assert_eq!(asked(&format!("CYCLE102\n{writes}")).rows, asked("CYCLE102\n").rows);
+    assert_ne!(asked(&format!("{writes}CYCLE102\n")).rows, asked("CYCLE102\n").rows);
+}
+
 // oracle: manual B:2386, B:15278-15279 (CYCLE102 shows the result, CYCLE103 asks for values), B:12627-12644 (decimals)
 #[test]
 fn older_programs_ask_for_the_screen_themselves() {

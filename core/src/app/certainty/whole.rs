@@ -8,6 +8,7 @@ use crate::app::series::{Prepared, SeriesRequest, prepared};
 use crate::app::start::Machine;
 use crate::app::{Error, ProgramText};
 use crate::dialect::Dialect;
+use crate::entry::Inputs;
 use crate::machine::Setup;
 use crate::message::Message;
 use crate::run::Outcome;
@@ -88,13 +89,14 @@ pub fn whole_certainty(
     let causes = draws.causes();
     let nothing = nothing(&outcome, &known, &causes);
     let runs = if nothing.is_some() { 0 } else { runs.unwrap_or(RUNS).clamp(1, MOST) };
-    let sets: Vec<(Vec<Cause>, u32)> = match causes.len() {
-        0 | 1 => vec![(causes.clone(), runs)],
-        _ => {
-            let each = causes.iter().map(|cause| (vec![*cause], alone(runs)));
-            std::iter::once((causes.clone(), runs)).chain(each).collect()
-        }
-    };
+    let mut sets: Vec<(Vec<Cause>, u32)> = vec![(causes.clone(), runs)];
+    // what a calibration finds does not depend on the one before it
+    let anew: Vec<Cause> = causes.iter().copied().filter(|cause| *cause != Cause::Calibration).collect();
+    let calibrates = outcome.called.iter().any(|called| !Cause::Calibration.concerns(&called.inputs, setup));
+    if causes.len() > 1 {
+        sets.extend(causes.iter().map(|cause| (vec![*cause], alone(runs))));
+        sets.extend((calibrates && anew.len() < causes.len()).then(|| (anew, runs)));
+    }
     let all: u32 = sets.iter().map(|(_, runs)| runs).sum();
     let mut done = 0;
     let mut measure = |(causes, runs): &(Vec<Cause>, u32)| {
@@ -106,12 +108,20 @@ pub fn whole_certainty(
         }
         measured
     };
-    let spreads: Vec<Measured> = sets.iter().map(&mut measure).collect();
+    let mut spreads: Vec<Measured> = sets.iter().map(&mut measure).collect();
+    let anew = if sets.len() > causes.len() + 1 { spreads.pop() } else { None };
+    let all = spreads.remove(0);
+    let parts: Vec<(Cause, &Measured)> = match &spreads[..] {
+        [] => causes.iter().map(|cause| (*cause, &all)).collect(),
+        each => causes.iter().copied().zip(each).collect(),
+    };
     let calls = known.iter().enumerate().map(|(at, one)| {
-        let parts = if spreads.len() > 1 { &spreads[1..] } else { &spreads[..] };
-        CallCertainty { call: one.call, figures: judged(&outcome, at, one, &causes, &spreads[0], parts) }
+        let inputs = &outcome.called[at].inputs;
+        let own: Vec<_> = parts.iter().copied().filter(|(cause, _)| cause.concerns(inputs, setup)).collect();
+        let anew = anew.as_ref().filter(|_| !Cause::Calibration.concerns(inputs, setup));
+        CallCertainty { call: one.call, figures: judged(inputs, at, one, anew.unwrap_or(&all), &own) }
     });
-    let stopped = if runs == 0 { 0.0 } else { 1.0 - f64::from(spreads[0].finished) / f64::from(runs) };
+    let stopped = if runs == 0 { 0.0 } else { 1.0 - f64::from(all.finished) / f64::from(runs) };
     WholeCertainty { runs, nothing, stopped, calls: calls.collect() }
 }
 
@@ -124,20 +134,19 @@ fn nothing(outcome: &Outcome, known: &[RunAnswer], causes: &[Cause]) -> Option<M
     }
 }
 
-/// What the figures of one call prove.
+/// What the figures of one call prove. `each`: what spreads it, with what was measured with that alone.
 fn judged(
-    outcome: &Outcome,
+    inputs: &Inputs,
     at: usize,
     RunAnswer { answer, .. }: &RunAnswer,
-    causes: &[Cause],
     all: &Measured,
-    each: &[Measured],
+    each: &[(Cause, &Measured)],
 ) -> Vec<Certain> {
     let deviation = |measured: &Measured, figure: usize| Spread::of(measured.values[at][figure].clone()).deviation;
-    let inputs = &outcome.called[at].inputs;
+    let causes: Vec<Cause> = each.iter().map(|(cause, _)| *cause).collect();
     let figures = answer.figures.iter().enumerate().filter_map(|(figure, shown)| {
-        let parts: Vec<f64> = each.iter().map(|measured| deviation(measured, figure).powi(2)).collect();
-        certain(shown, answer, inputs, deviation(all, figure), budget(causes, &parts))
+        let parts: Vec<f64> = each.iter().map(|(_, measured)| deviation(measured, figure).powi(2)).collect();
+        certain(shown, answer, inputs, deviation(all, figure), budget(&causes, &parts))
     });
     figures.collect()
 }
@@ -212,6 +221,28 @@ mod tests {
         }
         let proof = |call: usize| view.calls[call].figures[0].proof;
         assert_eq!((proof(0), proof(1)), (Some(Proof::Good), Some(Proof::Undecided)));
+    }
+
+    // oracle: hand (a trigger value of one touch: u = σ; of four touches the mean: σ/2; the calibration before is no part
+    // of it): U = 2σ, σ
+    #[test]
+    fn a_calibration_is_as_certain_as_its_own_touches() {
+        for (count, expanded) in [(1, 0.004), (4, 0.002)] {
+            let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
+            setup.probe.repeatability.0 = 0.002;
+            let ring = Solid::new(Shape::Hole { diameter: 50.0, depth: 30.0 }, Mcs([0.0; 3]));
+            setup.workpiece.solids.push(ring);
+            let text = format!(
+                "G17 G54 G90 T9 D1 M6\nG0 X0 Y0\nZ-10\n_TSA=1 _FA=2 _PRNUM=1 _VMS=0 _NMSP={count}\n\
+                 _MVAR=1 _SETVAL=50 _MA=1 _MD=0\nCYCLE976\nM30\n"
+            );
+            let program = read(Dialect::Sinumerik, text.as_bytes()).into();
+            let view = whole_certainty(&Prepared { setup, program, main: None }, Some(400), None, &mut |_| {});
+            assert_eq!((view.stopped, view.calls.len()), (0.0, 1), "{view:?}");
+            let trigger = &view.calls[0].figures[0];
+            assert!((trigger.expanded / expanded - 1.0).abs() < 0.15, "{count}: {trigger:?}");
+            assert!(trigger.budget.iter().all(|one| one.source.key == "certainty-touch"), "{trigger:?}");
+        }
     }
 
     // oracle: hand: u = 50 mm · 11.5 µm/(m·K) · 2 K = 1.15 µm

@@ -4,7 +4,8 @@ use crate::file;
 use crate::file::Problem;
 use crate::joined::Joined;
 use probewright_core::app::{
-    self, Certain, OfCall, SeriesCall, SeriesFigure, SeriesShare, SeriesSpread, SeriesView, WholeCertainty,
+    self, Certain, CertainChances, OfCall, SeriesCall, SeriesFigure, SeriesShare, SeriesSpread, SeriesView,
+    WholeCertainty,
 };
 use probewright_core::json;
 use probewright_core::machine::series::MOST_RUNS;
@@ -94,6 +95,10 @@ fn certain(
     if json {
         file::print_json(json::document(view), words, out)?;
     } else {
+        if view.stopped > 0.0 {
+            let stopped = Message::new("certainty-stopped").number("share", percent(view.stopped));
+            writeln!(out, "{}", words.text(&stopped))?;
+        }
         for call in &view.calls {
             writeln!(out, "{}{}", place(joined, call.call), call.call.cycle.unwrap_or_default())?;
             for figure in &call.figures {
@@ -119,22 +124,32 @@ fn told(figure: &Certain, words: &Words) -> String {
         .number("coverage", figure.coverage)
         .text("label", words.text(&figure.label));
     let proof = figure.proof.map(|proof| Message::new(proof.key()));
-    let chances = figure.chances.map(|chances| {
-        let message = Message::new("certainty-chances");
-        let shares =
-            [("good", chances.good), ("rework", chances.rework), ("scrap", chances.scrap), ("beyond", chances.beyond)];
-        shares.into_iter().fold(message, |message, (name, share)| match share {
-            ..LEAST => message.text(name, "< 0.1"),
-            _ if share > 1.0 - LEAST => message.text(name, "> 99.9"),
-            _ => message.number(name, (share * 1000.0).round() / 10.0),
-        })
-    });
+    let chances = figure.chances.map(|chances| shares(&chances, words));
     let largest = figure.budget.first().map(|part| {
         let source = words.text(&part.source);
         Message::new("certainty-largest").text("source", source).number("share", percent(part.share))
     });
-    let parts = [Some(value), proof, chances, largest];
-    parts.iter().flatten().map(|message| words.text(message)).collect::<Vec<_>>().join("  ")
+    let said = |message: Option<Message>| message.map(|message| words.text(&message));
+    let parts = [said(Some(value)), said(proof), chances, said(largest)];
+    parts.into_iter().flatten().collect::<Vec<_>>().join("  ")
+}
+
+/// The chances of a part: beyond the limits is rework or scrap where it is known which.
+fn shares(chances: &CertainChances, words: &Words) -> String {
+    let CertainChances { good, rework, scrap, beyond } = *chances;
+    let known = [("certainty-rework", rework), ("certainty-scrap", scrap)];
+    let unknown = [("certainty-beyond", beyond)];
+    let rest = if beyond > 0.0 || rework + scrap == 0.0 { &unknown[..] } else { &known[..] };
+    let told = |(key, share): (&'static str, f64)| {
+        let message = Message::new(key);
+        words.text(&match share {
+            ..LEAST => message.text("share", "< 0.1"),
+            _ if share > 1.0 - LEAST => message.text("share", "> 99.9"),
+            _ => message.number("share", (share * 1000.0).round() / 10.0),
+        })
+    };
+    let all = std::iter::once(("certainty-good", good)).chain(rest.iter().copied());
+    all.map(told).collect::<Vec<_>>().join(", ")
 }
 
 /// File and line of a call.

@@ -222,7 +222,12 @@ impl Argument {
 
     /// What says it on the older control; empty: nothing does, or it is not known.
     pub fn older(&self) -> &'static str {
-        self.param.as_ref().map_or(self.known.older, |name| name.as_str())
+        let own = CYCLES.iter().find(|cycle| cycle.name == self.list.name);
+        // a cycle of both controls says itself whether it has the parameter
+        let has = |older: &&str| {
+            own.is_none_or(|cycle| !older.starts_with('_') || older.contains("[]") || cycle.param(older).is_some())
+        };
+        self.param.as_ref().map_or(Some(self.known.older).filter(has).unwrap_or_default(), |name| name.as_str())
     }
 
     /// What programs write where nothing is to be said; empty: nothing.

@@ -164,7 +164,7 @@ impl Element {
         Element { range: Range::NOT_NEGATIVE, ..self }
     }
 
-    pub(super) const fn choices(self, choices: &'static [i64]) -> Element {
+    pub(in crate::control) const fn choices(self, choices: &'static [i64]) -> Element {
         Element { choices, ..self }
     }
 

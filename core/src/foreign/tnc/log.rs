@@ -1,7 +1,7 @@
 //! The log of a measuring cycle: set values, limits, actual values and deviations, each a group of lines
 //! (TNC7, 81762x-19, recording the results of measurement: log of cycle 421).
 
-use super::super::{Log, LogRow, figure};
+use super::super::{Log, LogRow, figure, line_end};
 
 /// How a log begins.
 const BEGIN: &str = "measuring log for touch probe cycle";
@@ -29,7 +29,11 @@ const GROUPS: [(&str, Group); 4] = [
 
 /// Whether a text begins as a log.
 pub fn is_log(text: &str) -> bool {
-    text.lines().take(HEAD).any(|line| begun(line.trim_start_matches('\u{feff}').trim()).is_some())
+    lines(text).take(HEAD).any(|line| begun(line.trim_start_matches('\u{feff}').trim()).is_some())
+}
+
+fn lines(text: &str) -> impl Iterator<Item = &str> {
+    text.split(char::from(line_end(text.as_bytes())))
 }
 
 /// The logs of a text, in their order.
@@ -37,7 +41,7 @@ pub fn logs(text: &str) -> Vec<Log> {
     let mut found: Vec<Log> = Vec::new();
     let mut group = Group::Head;
     let mut waiting: Option<String> = None;
-    for (line, number) in text.lines().zip(1..) {
+    for (line, number) in lines(text).zip(1..) {
         let line = line.trim_start_matches('\u{feff}').trim();
         if let Some(cycle) = begun(line) {
             found.push(cycle);

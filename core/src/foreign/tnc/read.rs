@@ -2,7 +2,7 @@
 //! without `~`; in DIN/ISO `*` ends it (TNC 410 ISO programming, p. 283), and its word is `G` with the number of the
 //! cycle (TNC 320 9/2016, p. 396: cycle 423, DIN/ISO: G423).
 
-use super::super::{ForeignCall, ForeignCycle, ForeignValue};
+use super::super::{ForeignCall, ForeignCycle, ForeignValue, line_end};
 use super::table::CYCLES;
 use crate::diagnostic::Span;
 
@@ -66,7 +66,8 @@ pub fn values_of_line(line: &[u8]) -> Vec<ForeignValue> {
 /// Lines with where they begin, without what ends them.
 fn lines(source: &[u8]) -> impl Iterator<Item = (usize, &[u8])> {
     let mut next = 0;
-    source.split(|byte| *byte == b'\n').map(move |line| {
+    let line_end = line_end(source);
+    source.split(move |byte| *byte == line_end).map(move |line| {
         let start = next;
         next += line.len() + 1;
         (start, line)

@@ -13,7 +13,7 @@ pub use force::{Forces, changes_tools};
 pub use state::{Mode, State, Tool};
 
 use crate::diagnostic::Span;
-use crate::syntax::programs::Programs;
+use crate::syntax::programs::{Programs, Unit};
 use crate::syntax::{Block, Program, Word};
 use passes::Passes;
 use std::collections::HashMap;
@@ -140,6 +140,12 @@ struct Walk<'a, F: Follow> {
     budget: usize,
 }
 
+/// Whether no program calls this one: it is no subprogram by its first block and by how it ends.
+pub fn is_main(program: &Program, unit: &Unit) -> bool {
+    let returns = |block: &Block| structure::returns(program, program.words_of(block));
+    unit.signature.is_none() && !program.blocks_of(unit).iter().any(returns)
+}
+
 /// State before and after a program; none: it does not come back.
 type Passed<S> = (S, Option<S>);
 
@@ -154,9 +160,7 @@ struct Seen<S> {
 impl<F: Follow> Walk<'_, F> {
     /// Whether it begins from a reset: it is no subprogram by its first block and by how it ends.
     fn is_main(&self, unit: usize) -> bool {
-        let Some(unit) = self.programs.units.get(unit) else { return false };
-        let returns = |block: &Block| structure::returns(self.program, self.program.words_of(block));
-        unit.signature.is_none() && !self.program.blocks_of(unit).iter().any(returns)
+        self.programs.units.get(unit).is_some_and(|unit| is_main(self.program, unit))
     }
 
     /// Follows one program that something outside of the text calls.

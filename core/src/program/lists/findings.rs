@@ -5,11 +5,11 @@
 use super::{ListCall, list_call, list_calls, set};
 use crate::catalogue::CYCLES;
 use crate::catalogue::newer::arguments::{Argument, Evidence};
-use crate::catalogue::newer::{CYCLE150_SHORT, LISTS};
-use crate::check::newer::{DIRECTION, MINUS, PROBES, at_argument, is_newer_zero, is_nothing};
+use crate::catalogue::newer::{self, CYCLE150_SHORT, LISTS};
+use crate::check::newer::{DIRECTION, MINUS, PROBES, at_argument, is_newer_zero, is_nothing, path, probe_number};
 use crate::check::{Parsed, parse};
 use crate::diagnostic::{Code, Diagnostic, Edit, Severity, Span};
-use crate::entry::{Inputs, names};
+use crate::entry::{Inputs, ProbeUse, names};
 use crate::message::Message;
 use crate::own;
 use crate::program::calls::CallSite;
@@ -58,6 +58,20 @@ pub fn of_places(program: &Program) -> impl Iterator<Item = Diagnostic> {
         finding.on(call.span)
     };
     list_calls(program).into_iter().filter(open).map(told)
+}
+
+/// What is wrong with a call of a cycle that the older control does not have, by what is published for all lists.
+pub fn of_alone(program: &Program) -> impl Iterator<Item = Diagnostic> {
+    let alone = |call: &ListCall| newer::title(call.list).is_some();
+    list_calls(program).into_iter().filter(alone).flat_map(|call| {
+        let at = |name: &str| call.index(name).and_then(|index| call.arguments.get(index));
+        let probe = at("S_PRNUM").and_then(|one| match parse(&one.text) {
+            Parsed::Number(number) => Some(probe_number(ProbeUse::Workpiece, number)?.on(one.place)),
+            _ => None,
+        });
+        let path = at("S_FA").and_then(|one| Some(path(&one.text)?.on(one.place)));
+        probe.into_iter().chain(path).map(|one| at_argument(call.list, one)).collect::<Vec<_>>()
+    })
 }
 
 /// The cure of a finding that the list alone has: a measuring path where none is given, another variant or no number

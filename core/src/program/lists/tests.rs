@@ -1,6 +1,7 @@
 #![allow(clippy::unwrap_used)]
 use super::*;
 use crate::diagnostic::{Code, Diagnostic};
+use crate::entry::{ProbeUse, names};
 use crate::program::change::apply;
 use crate::program::findings;
 use crate::syntax::read;
@@ -244,6 +245,48 @@ fn a_lost_argument_is_told_by_what_proves_it() {
             let text = format!("{head}({})\n", wrong.join(","));
             assert!(said(&text).iter().all(|key| !key.starts_with("newer-lost")), "{text}");
         }
+    }
+}
+
+// oracle: peer (remedies of 61308, 61313 and 61416: a path above 0, workpiece probes 1 to 12, tool probes 1 to 6)
+#[test]
+fn probe_and_path_are_checked_in_every_list() {
+    for list in &LISTS {
+        let Some(probe) = list.position(names::PRNUM) else { continue };
+        let cycle = crate::catalogue::find(Dialect::Sinumerik, list.name);
+        let tool = cycle.is_some_and(|cycle| cycle.purpose.probe == ProbeUse::Tool);
+        let (most, alarm) = if tool { (6, 61416) } else { (12, 61313) };
+        let told = |number: i32, path: &str| {
+            let mut arguments = vec![String::new(); list.args.len()];
+            arguments[0] = "1".to_owned();
+            arguments[probe] = number.to_string();
+            let at = list.position(names::FA).unwrap();
+            arguments[at] = path.to_owned();
+            let text = format!("G17 G54\n{}({})\nM30\n", list.name, arguments.join(","));
+            let found = findings(&program(&text));
+            let has = |alarm| found.iter().any(|one| one.code == crate::diagnostic::Code::Alarm(alarm));
+            let moved = found
+                .iter()
+                .any(|one| one.message.key.starts_with("newer-lost") || one.message.key.starts_with("newer-many"));
+            [has(alarm), has(61308), moved]
+        };
+        assert_eq!(told(most, "10"), [false; 3], "{}", list.name);
+        let [number, path, moved] = told(most + 1, "10");
+        assert!((number || moved) && !path, "{}", list.name);
+        for path in ["0", "-4"] {
+            let [number, path, moved] = told(1, path);
+            assert!((path || moved) && !number, "{}", list.name);
+        }
+    }
+}
+
+// oracle: hand: a cycle that only newer controls have leaves plane, tool and compensation as they are
+#[test]
+fn a_cycle_of_newer_controls_leaves_the_state_alone() {
+    for list in LISTS.iter().filter(|list| crate::catalogue::newer::title(list).is_some()) {
+        let call = "CYCLE977(101,1,,1,50,,,10,5,0,16,20,,,1,\"\",,0,1.01,1.01,-1.01,0.34,1,0,,1,1)";
+        let text = format!("G17 G40 G54 T9 D1\n{}(1)\n{call}\nM30\n", list.name);
+        assert!(!said(&text).contains(&"advice-open".to_owned()), "{text}");
     }
 }
 
