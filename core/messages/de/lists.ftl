@@ -125,7 +125,7 @@ newer-infeed = { "S_ID" } = { $value }: Welches Vorzeichen nach unten führt, is
 newer-infeed-hint = Programme neuerer Steuerungen sind sich über das Vorzeichen uneins. An der Maschine weit über dem Teil testen.
 newer-away = { "S_MD" } = { $value } führt vom Sollwert weg: Der Messtaster steht auf der anderen Seite. Was die Steuerung dann tut, ist nicht veröffentlicht; der Lauf hält hier an.
 newer-away-hint = Messtaster auf der anderen Seite der Fläche positionieren oder die Messrichtung ändern.
-newer-fine = { $value } korrigiert den Grobanteil, und der Feinanteil ist nicht 0. Damit hat MD 51740 Bit 5 (Grobverschiebung absolut) zu tun; wie, ist nicht veröffentlicht, daher hält der Lauf hier an.
+newer-fine = { $value } korrigiert den Grobanteil, und der Feinanteil ist nicht 0. Damit hat MD 51740 Bit 5 (Grobverschiebung absolut) zu tun; wie, ist nicht veröffentlicht, daher hält der Lauf hier an.
 newer-fine-hint = Feinanteil der NV vor dem Aufruf löschen oder den Feinanteil korrigieren.
 newer-centre-missing = { "_AMODE" } = 11 heißt, dass der Aufruf den Mittelpunkt angibt; S_XM und S_YM sind aber leer.
 newer-centre-missing-hint = Mittelpunkt in S_XM und S_YM eingeben oder { "_AMODE" } auf 1 setzen.

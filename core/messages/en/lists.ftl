@@ -125,7 +125,7 @@ newer-infeed = { "S_ID" } = { $value }: which sign leads down is not published, 
 newer-infeed-hint = Programs of newer controls disagree about the sign. Try it on the machine, well above the part.
 newer-away = { "S_MD" } = { $value } leads away from the setpoint: the probe is on its other side. What the control does then is not published; the run stops here.
 newer-away-hint = Position the probe on the other side of the surface, or change the measuring direction.
-newer-fine = { $value } corrects the coarse part, and the fine part is not 0. MD 51740 bit 5 (coarse offset absolute) has to do with it; how is not published, so the run stops here.
+newer-fine = { $value } corrects the coarse part, and the fine part is not 0. MD 51740 bit 5 (coarse offset absolute) has to do with it; how is not published, so the run stops here.
 newer-fine-hint = Delete the fine part of the zero offset before the call, or correct the fine part.
 newer-centre-missing = { "_AMODE" } = 11 says that the call gives the centre, but S_XM and S_YM are empty.
 newer-centre-missing-hint = Enter the centre in S_XM and S_YM, or set { "_AMODE" } to 1.

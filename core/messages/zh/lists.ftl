@@ -125,7 +125,7 @@ newer-infeed = { "S_ID" } = { $value }：哪个符号向下没有公布，因此
 newer-infeed-hint = 新型控制系统的程序对符号不一致。请在机床上远离工件处试验。
 newer-away = { "S_MD" } = { $value } 背离设定值：测头在另一侧。控制系统此时的动作没有公开，运行在此停止。
 newer-away-hint = 把测头定位到表面的另一侧，或更改测量方向。
-newer-fine = { $value } 补偿粗偏移，而精偏移不为 0。这与 MD 51740 位 5（粗偏移绝对值）有关；具体作用没有公布，因此运行在此停止。
+newer-fine = { $value } 补偿粗偏移，而精偏移不为 0。这与 MD 51740 位 5（粗偏移绝对值）有关；具体作用没有公布，因此运行在此停止。
 newer-fine-hint = 在调用之前清除零点偏移的精偏移，或改为补偿精偏移。
 newer-centre-missing = { "_AMODE" } = 11 表示调用给出了中心，但 S_XM 和 S_YM 为空。
 newer-centre-missing-hint = 请在 S_XM 和 S_YM 中输入中心，或将 { "_AMODE" } 设为 1。

@@ -3,7 +3,7 @@
 //! named in a note where it is not one that programs of newer controls have, and the call is neither simulated nor
 //! written otherwise. An argument that is omitted is 0 there: who checks a call says so first, by [`with_omitted`].
 
-use super::{Checked, Parsed, Target, check, error, parse, target, variants};
+use super::{Checked, Parsed, Target, check, error, parse, target, typed, variants};
 use crate::control::Control;
 use crate::control::frames::Store;
 use crate::diagnostic::{Code, Diagnostic, Severity};
@@ -281,7 +281,11 @@ impl<'a> Judged<'a> {
             self.open(name);
         }
         self.found.extend(unread);
-        self.found.extend(path(text(self.typed, names::FA)));
+        let written = text(self.typed, names::FA);
+        let param = self.cycle.param(names::FA.as_str()).filter(|_| !written.is_empty());
+        let judged = param.and_then(|param| typed::judge(param, &self.read(), self.control));
+        // a tool cycle takes a signed path on the older control; what a sign means in a list is not published
+        self.found.extend(judged.or_else(|| path(written).filter(|_| parse(written) == Parsed::Number(0.0))));
     }
 
     /// Which sort of target `_KNUM` names; none where the cycle has no target.

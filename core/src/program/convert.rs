@@ -231,7 +231,7 @@ impl<'a> Job<'a> {
             said.extend(read_still(site, &written, &stays, style));
             said.extend(written.findings);
             said.extend(left_out(program, site));
-            said.extend(doubtful(site));
+            said.extend(doubtful(site, self.control));
             if let Some(after) = after.get(index) {
                 let differing = compared(program, site, after);
                 said.extend(added(program, &self.programs, site, &differing));
@@ -287,9 +287,11 @@ fn added(program: &Program, programs: &Programs, site: &CallSite, differing: &[C
 }
 
 /// What an argument of a newer control's list means is not sure, though the older call has a place for it.
-fn doubtful(site: &CallSite) -> Vec<Diagnostic> {
+fn doubtful(site: &CallSite, control: &Control) -> Vec<Diagnostic> {
     let Some(list) = site.newer_list() else { return Vec::new() };
-    let value = |name: Name| site.values.get(name.as_str()).filter(|text| !newer::is_nothing(text));
+    let inputs = check::read(site.cycle, &site.values, control, &mut Vec::new());
+    let used = |name: Name| site.values.get(name.as_str()).filter(|_| inputs.uses(name));
+    let value = |name: Name| used(name).filter(|text| !newer::is_nothing(text));
     let of = |name: Name, sentence: own::Own| {
         Some(sentence.finding().text("value", value(name)?.as_str()).at(name)).filter(|_| list.position(name).is_some())
     };

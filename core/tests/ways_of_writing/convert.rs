@@ -63,7 +63,7 @@ fn a_block_number_that_something_leads_to_stays() {
 fn a_call_that_relies_on_the_converted_one_is_told() {
     let text = "_MVAR=0 _SETVAL=100 _MA=1 _KNUM=0\nCYCLE978\n_SETVAL=50\nCYCLE978\n";
     assert_eq!(converted(text, 0, Style::Indirect).1, Vec::<String>::new());
-    assert_eq!(converted(text, 0, Style::Operate).1, ["write-direction", "convert-others"]);
+    assert_eq!(converted(text, 0, Style::Operate).1, ["write-direction", "convert-added", "convert-others"]);
 }
 
 // oracle: self (what the form of that machine writes), manual B:12501-12539, B:13594-13596 (the data are converted)

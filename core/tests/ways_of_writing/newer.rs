@@ -368,7 +368,7 @@ proptest! {
                 }
                 for style in [Style::Direct, Style::Indirect] {
                     let (other, why) = converted(&format!("_FA=99 _TSA=99\n{text}"), 0, style);
-                    let told = ["write-beside", "write-zero", "convert-unused"];
+                    let told = ["write-beside", "write-zero", "convert-unused", "convert-infeed", "convert-rotary"];
                     prop_assert!(why.iter().all(|key| told.contains(&&**key)), "{:?}", why);
                     let (before, after) = (&sites(&text)[0].values, &sites(&other)[0].values);
                     let control = delivery(Dialect::Sinumerik);
