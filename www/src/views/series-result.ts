@@ -105,7 +105,9 @@ function tableOf({ measured, corrected, memories = [] }: SeriesCall, adds: boole
       <tbody>${Array.from(
         { length: rows },
         (_, part) => html`<tr><th scope="row">${part + 1}</th>
-          ${columns.map(({ unit, values }) => html`<td>${cell(values[part], unit)}</td>`)}</tr>`,
+          ${columns.map(
+            ({ head, unit, values }) => html`<td data-label=${head + unitBehind(unit)}>${cell(values[part], unit)}</td>`,
+          )}</tr>`,
       )}</tbody>
     </table>
   </div>`;
