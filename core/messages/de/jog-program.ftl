@@ -28,7 +28,7 @@ jog-differs-offset-angle = Mit { $cycle } = { $there } dreht der Zyklus den Mono
 jog-differs-speeds = Mit { $cycle } = { $there } nimmt der Zyklus bei drehendem Werkzeug Drehzahlen und Vorschübe aus _MFS[]. JOG berechnet sie aus E_MESS_MAX_V und anderen.
 jog-differs-erases = Mit { $cycle } = { $there } löscht der Zyklus zuerst _WP[], _TP[] und weitere Daten der Messtaster. JOG behält sie.
 jog-differs-watches-calibration = Mit { $cycle } = { $there } misst der Zyklus auch mit einem anders kalibrierten Messtaster. JOG lehnt ihn ab (61341).
-jog-differs-feeds = Zwischen den Punkten fährt der Zyklus mit _SPEED[1] = { $plane } mm/min und _SPEED[2] = { $depth } mm/min, JOG mit E_MESS_F = { $feed } und E_MESS_FZ = { $infeed }.
+jog-differs-feeds = Zwischen den Punkten fährt der Zyklus mit _SPEED[1] = { $plane } mm/min und _SPEED[2] = { $depth } mm/min, JOG mit E_MESS_F = { $feed } und E_MESS_FZ = { $infeed }.
 jog-program-points = Zuerst alle Punkte messen: Der Aufruf braucht ihre Orte.
 jog-program-centres = Kein Zyklus misst mehrere Bohrungen oder Zapfen und korrigiert nach ihren Mittelpunkten eine Nullpunktverschiebung. CYCLE977 mit _KNUM = 0 misst jeden Mittelpunkt; CYCLE116 berechnet einen Kreis durch drei oder vier.
 jog-program-none = Kein Zyklus macht dasselbe.

@@ -28,7 +28,7 @@ jog-differs-offset-angle = With { $cycle } = { $there } the cycle turns the mono
 jog-differs-speeds = With { $cycle } = { $there } the cycle takes speeds and feeds of a rotating tool from _MFS[]. JOG calculates them from E_MESS_MAX_V and others.
 jog-differs-erases = With { $cycle } = { $there } the cycle first deletes _WP[], _TP[] and other data of the probes. JOG keeps them.
 jog-differs-watches-calibration = With { $cycle } = { $there } the cycle also measures with a probe that was calibrated otherwise. JOG refuses it (61341).
-jog-differs-feeds = Between the points the cycle travels at _SPEED[1] = { $plane } mm/min and _SPEED[2] = { $depth } mm/min, JOG at E_MESS_F = { $feed } and E_MESS_FZ = { $infeed }.
+jog-differs-feeds = Between the points the cycle travels at _SPEED[1] = { $plane } mm/min and _SPEED[2] = { $depth } mm/min, JOG at E_MESS_F = { $feed } and E_MESS_FZ = { $infeed }.
 jog-program-points = Measure all points first: the call needs their places.
 jog-program-centres = No cycle measures several holes or spigots and corrects a zero offset by their centres. CYCLE977 with _KNUM = 0 measures each centre; CYCLE116 calculates a circle through three or four.
 jog-program-none = No cycle does the same.

@@ -28,7 +28,7 @@ jog-differs-offset-angle = { $cycle } = { $there } 时，循环还把单向测�
 jog-differs-speeds = { $cycle } = { $there } 时，循环从 _MFS[] 读取旋转刀具的转速和进给。JOG 由 E_MESS_MAX_V 等数据计算。
 jog-differs-erases = { $cycle } = { $there } 时，循环先删除 _WP[]、_TP[] 和其他测头数据。JOG 保留这些数据。
 jog-differs-watches-calibration = { $cycle } = { $there } 时，循环也用以其他方式校准的测头测量。JOG 拒绝这种测头（61341）。
-jog-differs-feeds = 在各点之间，循环以 _SPEED[1] = { $plane } mm/min 和 _SPEED[2] = { $depth } mm/min 行进，JOG 以 E_MESS_F = { $feed } 和 E_MESS_FZ = { $infeed } 行进。
+jog-differs-feeds = 在各点之间，循环以 _SPEED[1] = { $plane } mm/min 和 _SPEED[2] = { $depth } mm/min 行进，JOG 以 E_MESS_F = { $feed } 和 E_MESS_FZ = { $infeed } 行进。
 jog-program-points = 请先测量所有点：调用需要各点的位置。
 jog-program-centres = 没有循环能测量多个孔或凸台并按其圆心修正零点偏移。CYCLE977 在 _KNUM = 0 时测量每个圆心，CYCLE116 计算通过三点或四点的圆。
 jog-program-none = 没有功能相同的循环。

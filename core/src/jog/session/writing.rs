@@ -3,10 +3,11 @@
 use super::{Input, Session};
 use crate::control::{Control, ROTARY, Store};
 use crate::evaluate::level;
+use crate::geometry::TOLERANCE;
 use crate::jog::activation::{self, Activation, Reasons};
 use crate::jog::mask::Kind;
 use crate::jog::offset::{self, Correction};
-use crate::jog::values::{ROTATION, Value};
+use crate::jog::values::Value;
 use crate::machine::{Machine, MotionKind, Stop};
 use crate::message::Message;
 
@@ -19,15 +20,13 @@ impl Session {
         offset::named(&self.sim.control, self.values.word("zo"), turned)
     }
 
-    /// Whether a zero offset has to be activated whatever is measured: it is not active while measuring, or a rotary
-    /// axis takes the angle.
+    /// Whether a zero offset has to be activated whatever is measured: it is not active while measuring. A rotary axis
+    /// stays where it is if the angle that is measured is the set angle.
     pub fn surely_activates(&self, store: Store) -> bool {
         if self.mask.is_some_and(|mask| mask.older.is_some()) {
             return false;
         }
-        let inactive = matches!(store, Store::Settable(number) if number != self.measuring());
-        let turned = self.values.word("angle_offset");
-        inactive || turned != ROTATION && self.sim.control.rotary_axis(turned).is_some()
+        matches!(store, Store::Settable(number) if number != self.measuring())
     }
 
     /// Whether what would be written has to be activated.
@@ -49,7 +48,10 @@ impl Session {
         }
         let (old, new) = (control.stored_frame(store), after.stored_frame(store));
         let rotary = match correction {
-            Correction::Rotary(axis, angle) => Some((*axis, control.rotary[*axis] + *angle)),
+            // where nothing is wrong no other position is demanded (B:3806)
+            Correction::Rotary(axis, angle) if angle.0.abs() > TOLERANCE => {
+                Some((*axis, control.rotary[*axis] + *angle))
+            }
             _ => None,
         };
         let inactive = matches!(store, Store::Settable(number) if number != control.settable);
