@@ -61,7 +61,7 @@ describe("an edge", () => {
     for (let presses = 0; presses < 3; presses++) await axis(page, "Z-").click();
     await axis(page, "Z+").hover();
     await page.mouse.wheel(0, 100); // backwards
-    await position(page, "Z").getByText("\u221210.000").waitFor();
+    await position(page, "Z").getByText("\u221210.0000").waitFor();
     for (let presses = 0; presses < 4; presses++) await axis(page, "X+").click();
     await page.locator(".jog-raised").waitFor();
     await axis(page, "X-").click();
@@ -121,7 +121,7 @@ describe("an edge", () => {
       if (await page.evaluate(() => document.activeElement?.matches(".jog-axis"))) break;
     }
     for (let presses = 0; presses < 4; presses++) await page.keyboard.press("PageDown");
-    await position(page, "Z").getByText("\u221210.000").waitFor();
+    await position(page, "Z").getByText("\u221210.0000").waitFor();
     const ahead = kind => page.locator(`.jog-ahead [data-ahead="${kind}"]`);
     await counts(ahead("touch"), 0, "the part is hidden");
     assert.equal(await ahead("write").textContent(), "correct G54");
@@ -200,12 +200,12 @@ describe("before NC start", () => {
     const before = await figures(page);
     for (let down = 0.5; down < 0.9; down += 0.05) {
       await stage.click({ position: { x: width / 2, y: height * down } });
-      if ((await position(page, "Y").textContent()) === "\u221228.000") break;
+      if ((await position(page, "Y").textContent()) === "\u221228.0000") break;
     }
     assert.notDeepEqual(await figures(page), before);
-    assert.equal(await position(page, "Y").textContent(), "\u221228.000");
+    assert.equal(await position(page, "Y").textContent(), "\u221228.0000");
     assert.ok((await position(page, "Z").textContent()).startsWith("\u2212"), "beside the face, not above it");
-    await ahead(page, "touch").getByText("Y \u22123.000").waitFor();
+    await ahead(page, "touch").getByText("Y \u22123.0000").waitFor();
     const promised = await ahead(page, "write").allTextContents();
     assert.equal(promised.length > 0, true);
     await counts(ahead(page, "activate"), 1);
