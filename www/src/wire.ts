@@ -3187,7 +3187,7 @@ export type ScenarioView = {
 
 /** A coordinate system, machine coordinates. */
 export type SceneFrame = {
-  /** `MCS`, or the name of its zero offset. */
+  /** The name of its zero offset; empty: the machine's own. */
   name: string,
   /** Zero of the frame, mm. */
   at: [number, number, number],

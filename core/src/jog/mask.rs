@@ -118,7 +118,11 @@ impl Task {
             Task::Edge | Task::EdgeAngle | Task::Distance => Area::Edge,
             Task::Corner => Area::Corner,
             Task::Element(Element { inside, .. }) | Task::Centres(Element { inside, .. }) => {
-                if inside { Area::Hole } else { Area::Spigot }
+                if inside {
+                    Area::Hole
+                } else {
+                    Area::Spigot
+                }
             }
             Task::Plane => Area::Plane,
             Task::Length | Task::Ring => Area::Calibrate,

@@ -416,7 +416,7 @@ fn names_of_coordinate_systems_at_one_place_stand_together() {
     let told: Vec<_> = labels.iter().map(|label| (label.at, said(label))).collect();
     assert_eq!(
         told,
-        [([0.0; 3], "frame-machine , frame-now G55".to_owned()), ([1.0; 3], "frame-before G54".to_owned())]
+        [([0.0; 3], "frame-machine, frame-now G55".to_owned()), ([1.0; 3], "frame-before G54".to_owned())]
     );
 }
 

@@ -177,7 +177,10 @@ fn what_the_next_key_would_do_is_told() {
     let script = CORNER.strip_suffix("start\n").unwrap();
     let told = out(&jog("ahead.jog", script, &["--what-if"]).1);
     assert!(told.contains("\nNC start would\n  touch at X 40.0000, Y 40.0000, Z "), "{told}");
-    assert!(told.contains("\n  show Measured Z0 = -5.0000 mm\n  write $P_UIFR[1,Z,TR]: 5.0000 → 0.0000 mm\n"), "{told}");
+    assert!(
+        told.contains("\n  show Measured Z0 = -5.0000 mm\n  write $P_UIFR[1,Z,TR]: 5.0000 → 0.0000 mm\n"),
+        "{told}"
+    );
     assert!(!out(&jog("ahead.jog", script, &[]).1).contains("NC start would"));
     let told = out(&jog("ahead.jog", "mask set_edge\nmove X-200 Z-8\n", &["--what-if"]).1);
     assert!(told.contains("NC start would\n  raise alarm 61301: "), "{told}");

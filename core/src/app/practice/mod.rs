@@ -7,8 +7,8 @@ mod view;
 pub use program::{PracticeCall, PracticeCallRequest, PracticeProgram, as_mask, as_program, call_text, jog_program};
 pub use view::{
     PracticeActivation, PracticeApproach, PracticeArea, PracticeChoice, PracticeDeviation, PracticeFace, PracticeField,
-    PracticeFigure, PracticeKeys, PracticeMachine, PracticeMask, PracticePoint, PracticeRefusal,
-    PracticeRequest, PracticeShow, PracticeUse, PracticeView, PracticeWord,
+    PracticeFigure, PracticeKeys, PracticeMachine, PracticeMask, PracticePoint, PracticeRefusal, PracticeRequest,
+    PracticeShow, PracticeUse, PracticeView, PracticeWord,
 };
 
 use super::Error;

@@ -1,9 +1,8 @@
 //! What a session shows: functions, mask, activation screen, softkeys, and the machine under the hand.
 
 use super::view::{
-    PracticeActivation, PracticeArea, PracticeChoice, PracticeDeviation, PracticeField, PracticeFigure,
-    PracticeKeys, PracticeMachine, PracticeMask, PracticePoint, PracticeShow, PracticeUse,
-    PracticeWord,
+    PracticeActivation, PracticeArea, PracticeChoice, PracticeDeviation, PracticeField, PracticeFigure, PracticeKeys,
+    PracticeMachine, PracticeMask, PracticePoint, PracticeShow, PracticeUse, PracticeWord,
 };
 use crate::app::help::{HelpSection, HelpText};
 use crate::app::jog::stored;

@@ -3,7 +3,9 @@
 use crate::file;
 use crate::file::Problem;
 use crate::record;
-use probewright_core::app::{self, Change, JogAhead, JogLine, JogResult, JogView, JogWrong, PracticeRefusal, Raised, Record};
+use probewright_core::app::{
+    self, Change, JogAhead, JogLine, JogResult, JogView, JogWrong, PracticeRefusal, Raised, Record,
+};
 use probewright_core::control::{AXES, Control, OLDER_JOG, delivery};
 use probewright_core::dialect::Dialect;
 use probewright_core::jog::mask::{Field, Mask, decimals, key};
@@ -83,9 +85,7 @@ fn program(
         if let Some(PracticeRefusal { line, message, hint, left }) = &found.refused {
             let why = with_hint(message, hint.as_ref(), words);
             writeln!(out, "{comment}{}:{line}: {why}", script.display())?;
-            left_out(*line, *left)
-                .iter()
-                .try_for_each(|message| writeln!(out, "{comment}{}", words.text(message)))?;
+            left_out(*line, *left).iter().try_for_each(|message| writeln!(out, "{comment}{}", words.text(message)))?;
         }
         found.told.iter().try_for_each(|message| writeln!(out, "{comment}{}", words.text(message)))?;
         write!(out, "{}", found.text)?;
