@@ -69,7 +69,7 @@ describe("an edge", () => {
     await start(page).click();
     await page.locator(".jog-activation").waitFor();
     await page.locator('.jog-deviation[data-near="true"]').waitFor();
-    assert.match(await page.locator(".jog-written").textContent(), /G54, X coarse\s*-20 → -8.5 mm/);
+    assert.match(await page.locator(".jog-written").textContent(), /G54, X coarse\s*−20\.0000 → −8\.5000 mm/);
     await start(page).click();
     await page.locator(".jog-activation").waitFor({ state: "detached" });
     assert.equal(await page.locator(".jog-positions thead th").nth(1).textContent(), "G54");

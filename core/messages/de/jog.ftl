@@ -70,6 +70,7 @@ jog-line-swivels = Der Tisch schwenkt mit NC-Start.
 jog-line-no-swivel = Keine Rundachsen dieser Maschine können den Messtaster senkrecht zur Ebene stellen. Mit TRAORI oder von Hand ist er vor der nächsten Messung auszurichten.
 jog-line-turned = Das Werkstück ist um die Werkzeugachse gedreht. Beim Verfahren im WKS beachten.
 jog-line-rotary = Die NV der Rundachse { $axis } wurde korrigiert. Das Werkstück ist ausgerichtet, sobald die Achse verfahren ist.
+jog-line-aligned = Das Werkstück hat seinen Sollwinkel: Es wurde nichts geschrieben, die Rundachse { $axis } bleibt stehen.
 jog-line-start = Zum Aktivieren NC-Start drücken.
 
 jog-state-menu = Keine Maske ist offen.

@@ -70,6 +70,7 @@ jog-line-swivels = The table swivels when you press NC start.
 jog-line-no-swivel = No rotary axes of this machine can set the probe perpendicular to the plane. With TRAORI or by hand it has to be oriented before you measure again.
 jog-line-turned = The workpiece is rotated about the tool axis. Take care when you move in the WCS.
 jog-line-rotary = The zero offset of rotary axis { $axis } was corrected. The part is aligned once the axis has moved.
+jog-line-aligned = The part has its set angle: nothing was written, and rotary axis { $axis } stays where it is.
 jog-line-start = Press NC start to activate.
 
 jog-state-menu = No mask is open.

@@ -70,6 +70,7 @@ jog-line-swivels = 按 NC 启动后工作台回转。
 jog-line-no-swivel = 此机床没有能使测头垂直于平面的回转轴。再次测量前须用 TRAORI 或手动调整测头方向。
 jog-line-turned = 工件绕刀具轴旋转。在工件坐标系中移动时请注意。
 jog-line-rotary = 回转轴 { $axis } 的零点偏移已补偿。该轴移动后工件才找正。
+jog-line-aligned = 工件已处于设定角度：没有写入任何值，旋转轴 { $axis } 保持原位。
 jog-line-start = 请按 NC 启动以激活。
 
 jog-state-menu = 没有打开输入画面。

@@ -6,7 +6,7 @@ use super::outcome::Raised;
 use super::record::Recorder;
 use super::run::RunAnswer;
 use crate::control::{AXES, Control, Value, gud};
-use crate::geometry::{Mcs, TOLERANCE};
+use crate::geometry::Mcs;
 use crate::jog::chance::{self, Truth};
 use crate::jog::help;
 use crate::jog::mask::key;
@@ -225,8 +225,7 @@ pub(super) fn changed(control: &Control, step: &Step) -> Option<Change> {
     let Step::Set { name, before, after } = step else { return None };
     // user data stand in the unit of the machine, tools and frames in mm
     let factor = if gud::named(name).is_some() { control.basic_factor() } else { 1.0 };
-    let differs = (before - after).abs() > TOLERANCE; // not the last digit of a calculation
-    differs.then(|| Change::of(control, name.clone(), before * factor, after * factor))
+    Some(Change::of(control, name.clone(), before * factor, after * factor)).filter(|_| before != after)
 }
 
 /// Points that are there now and were not before.

@@ -197,6 +197,7 @@ fn the_tool_that_is_measured_is_no_probe() {
     setup.real_tools.clear();
     let mut session = Session::new(&setup);
     open(&mut session, "tool_cal", &[]);
+    session.sim.position[2] = 60.0; // 10 mm above the tool probe
     session.carry_out(Input::Start).unwrap();
     assert_eq!((session.state(), session.stopped()), (State::Mask, None));
 }

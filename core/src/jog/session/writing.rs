@@ -7,7 +7,7 @@ use crate::geometry::TOLERANCE;
 use crate::jog::activation::{self, Activation, Reasons};
 use crate::jog::mask::Kind;
 use crate::jog::offset::{self, Correction};
-use crate::jog::values::Value;
+use crate::jog::values::{ROTATION, Value};
 use crate::machine::{Machine, MotionKind, Stop};
 use crate::message::Message;
 
@@ -20,13 +20,15 @@ impl Session {
         offset::named(&self.sim.control, self.values.word("zo"), turned)
     }
 
-    /// Whether a zero offset has to be activated whatever is measured: it is not active while measuring. A rotary axis
-    /// stays where it is if the angle that is measured is the set angle.
+    /// Whether a zero offset has to be activated whatever is measured: it is not active while measuring, or a rotary
+    /// axis takes the angle (B:3092).
     pub fn surely_activates(&self, store: Store) -> bool {
         if self.mask.is_some_and(|mask| mask.older.is_some()) {
             return false;
         }
-        matches!(store, Store::Settable(number) if number != self.measuring())
+        let inactive = matches!(store, Store::Settable(number) if number != self.measuring());
+        let turned = self.values.word("angle_offset");
+        inactive || turned != ROTATION && self.sim.control.rotary_axis(turned).is_some()
     }
 
     /// Whether what would be written has to be activated.
@@ -48,16 +50,14 @@ impl Session {
         }
         let (old, new) = (control.stored_frame(store), after.stored_frame(store));
         let rotary = match correction {
-            // where nothing is wrong no other position is demanded (B:3806)
-            Correction::Rotary(axis, angle) if angle.0.abs() > TOLERANCE => {
-                Some((*axis, control.rotary[*axis] + *angle))
-            }
+            Correction::Rotary(axis, angle) => Some((*axis, control.rotary[*axis] + *angle)),
             _ => None,
         };
         let inactive = matches!(store, Store::Settable(number) if number != control.settable);
         let tilts = offset::tilts(control, &old, &new);
         let swivels = tilts && swivels(&after, store);
-        (Reasons { inactive, tilts, swivels, rotary }, !tilts && old.rotation != new.rotation)
+        let aligned = matches!(correction, Correction::Rotary(_, angle) if angle.0.abs() <= TOLERANCE);
+        (Reasons { inactive, tilts, swivels, rotary, aligned }, !tilts && old.rotation != new.rotation)
     }
 
     /// Shows the results, writes the zero offset; all points are grey again.
