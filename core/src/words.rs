@@ -91,6 +91,7 @@ impl Words {
             Value::Array(list) => list.iter_mut().for_each(|one| self.speak(one)),
             Value::Object(members) => {
                 members.values_mut().for_each(|one| self.speak(one));
+                helped_otherwise(members);
                 for (name, said) in self.said(members) {
                     members.entry(name).or_insert(said.into());
                 }
@@ -125,6 +126,19 @@ impl Words {
     /// The text of a key without arguments.
     pub fn key(&self, key: impl Into<std::borrow::Cow<'static, str>>) -> String {
         self.text(&Message::new(key))
+    }
+}
+
+/// An alarm that is told with another remedy than its own: cause and remedy of a call do not stand beside it.
+fn helped_otherwise(members: &mut Map<String, Value>) {
+    let key = |name: &str| members.get(name).and_then(|one| one.get("key")).and_then(Value::as_str);
+    let [Some(alarm), Some(hint)] = ["message", "hint"].map(key) else { return };
+    if hint == format!("{alarm}.cure") {
+        return;
+    }
+    if let Some(message) = members.get_mut("message").and_then(Value::as_object_mut) {
+        message.remove("cause");
+        message.remove("cure");
     }
 }
 

@@ -27,6 +27,10 @@ describe("definition files", () => {
     const { context, page, problems } = await open(chrome.browser, { bypassCSP: true });
     const shown = await dialog(page);
     await shown.getByText("Nothing differs from delivery.").waitFor();
+    // a number is entered in a field of the page, not in one of the browser
+    const looks = node => [getComputedStyle(node).backgroundColor, getComputedStyle(node).borderRadius];
+    const text = await page.locator('input[type="text"]').first().evaluate(looks);
+    assert.deepEqual(await shown.getByLabel("Channels that measure").evaluate(looks), text);
     await shown.getByLabel("Channels that measure").fill("2");
     await shown.getByText(/MD18150 at least 16 /).waitFor();
     const read = (name, text) =>

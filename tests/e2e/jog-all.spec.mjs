@@ -12,7 +12,7 @@ const WORK = JSON.parse(readFileSync(new URL("../data/jog_practice.json", import
 const STEP = 10; // mm, the largest increment of the keys
 
 const at = {
-  function: name => `[data-function="${name}"]`,
+  function: name => `[data-mask="${name}"]`,
   field: name => `#jog-${name}`,
   axis: (axis, sign) => `.jog-axis[data-axis="${axis}${sign}"]`,
   step: `.jog-steps button[aria-pressed]:nth-child(5)`,
@@ -116,10 +116,10 @@ const ALL = process.env.PROBEWRIGHT_JOG === "all";
 
 /** The functions in the order of the menu: all of them, or those whose turn it is. */
 async function everything(page, hands, { keyboard, turn, turns }) {
-  const first = page.locator("[data-function]").first();
+  const first = page.locator("[data-mask]").first();
   await first.waitFor();
-  const names = await page.locator("[data-function]").evaluateAll(all => all.map(one => one.dataset.function));
-  assert.equal(names.length, 18);
+  const names = await page.locator("[data-mask]").evaluateAll(all => all.map(one => one.dataset.mask));
+  assert.deepEqual(names, Object.keys(WORK));
   await hands.press(at.step);
   for (const name of names.filter((_, index) => ALL || index % turns === turn)) {
     if (keyboard) await page.locator("#jog").focus();
@@ -189,7 +189,7 @@ describe("align plane on a machine with a swivel table", () => {
   // oracle: manual (B:3880-3906: fields of the activation screen) and hand (the part leans 2 degrees about X)
   test("sets the probe perpendicular to the plane", async () => {
     const { context, page, problems } = await open(chrome.browser, { path: "#jog", serviceWorkers: "block" });
-    await page.locator("[data-function]").first().waitFor();
+    await page.locator("[data-mask]").first().waitFor();
     const buffer = Buffer.from(JSON.stringify(SWIVELS));
     await page
       .locator(".top input[type=file]")

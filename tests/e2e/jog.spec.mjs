@@ -48,7 +48,7 @@ describe("an edge", () => {
   test("is set by mouse, rejected, hit and exported", async () => {
     const { context, page, problems } = await open(chrome.browser, { path: "", serviceWorkers: "block" });
     await page.locator(".start-practice").click();
-    await page.locator("[data-function=set_edge]").click();
+    await page.locator("[data-mask=set_edge]").click();
     await page.locator("#jog-part-dx ~ .figure").fill("1.5");
     await page.keyboard.press("Enter");
     await field(page, "zo").selectOption("G54");
@@ -61,7 +61,7 @@ describe("an edge", () => {
     for (let presses = 0; presses < 3; presses++) await axis(page, "Z-").click();
     await axis(page, "Z+").hover();
     await page.mouse.wheel(0, 100); // backwards
-    await position(page, "Z").getByText("\u221210.000").waitFor();
+    await position(page, "Z").getByText("\u221210.0000").waitFor();
     for (let presses = 0; presses < 4; presses++) await axis(page, "X+").click();
     await page.locator(".jog-raised").waitFor();
     await axis(page, "X-").click();
@@ -69,7 +69,7 @@ describe("an edge", () => {
     await start(page).click();
     await page.locator(".jog-activation").waitFor();
     await page.locator('.jog-deviation[data-near="true"]').waitFor();
-    assert.match(await page.locator(".jog-written").textContent(), /G54, X coarse\s*-20 → -8.5 mm/);
+    assert.match(await page.locator(".jog-written").textContent(), /G54, X coarse\s*−20\.0000 → −8\.5000 mm/);
     await start(page).click();
     await page.locator(".jog-activation").waitFor({ state: "detached" });
     assert.equal(await page.locator(".jog-positions thead th").nth(1).textContent(), "G54");
@@ -88,7 +88,7 @@ describe("an edge", () => {
     const script = (await (await saved.createReadStream()).toArray()).join("");
     assert.match(script, /^; part x=1\.5 .*\n; piece block\nmask set_edge\nzo = G54\nx0 = 10\njog Z-40\n/);
     await page.getByRole("button", { name: "Start again" }).click();
-    await page.locator("[data-function=set_edge]").waitFor();
+    await page.locator("[data-mask=set_edge]").waitFor();
     await page
       .locator(".jog > input[type=file]")
       .setInputFiles({ name: "practice.jog", mimeType: "text/plain", buffer: Buffer.from(script) });
@@ -103,13 +103,13 @@ describe("an edge", () => {
   // oracle: hand
   test("is set by keyboard alone, on a part that chance has put", async () => {
     const { context, page, problems } = await open(chrome.browser, { path: "#jog", serviceWorkers: "block" });
-    await page.locator("[data-function=set_edge]").waitFor();
+    await page.locator("[data-mask=set_edge]").waitFor();
     await tabTo(page, ".jog-surprise");
     await page.keyboard.press("Enter");
     await page.locator(".jog-reveal").waitFor();
     await counts(page.locator(".jog-truth"), 0, "nobody has asked yet");
     await page.locator("#jog").focus();
-    await tabTo(page, "[data-function=set_edge]");
+    await tabTo(page, "[data-mask=set_edge]");
     await page.keyboard.press("Enter");
     await focused(page, field(page, "zo"));
     await page.keyboard.type("G54");
@@ -121,7 +121,7 @@ describe("an edge", () => {
       if (await page.evaluate(() => document.activeElement?.matches(".jog-axis"))) break;
     }
     for (let presses = 0; presses < 4; presses++) await page.keyboard.press("PageDown");
-    await position(page, "Z").getByText("\u221210.000").waitFor();
+    await position(page, "Z").getByText("\u221210.0000").waitFor();
     const ahead = kind => page.locator(`.jog-ahead [data-ahead="${kind}"]`);
     await counts(ahead("touch"), 0, "the part is hidden");
     assert.equal(await ahead("write").textContent(), "correct G54");
@@ -143,10 +143,10 @@ describe("the masks up to SW 6.2", () => {
   // oracle: manual A:3188-3200: each point is stored by its softkey, three are enough
   test("are chosen beside the axis keys, and a corner is stored point by point", async () => {
     const { context, page, problems } = await open(chrome.browser, { path: "#jog", serviceWorkers: "block" });
-    await page.locator("[data-function=set_edge]").waitFor();
+    await page.locator("[data-mask=set_edge]").waitFor();
     await page.locator("#jog-version").selectOption("set PW-JOG = 1");
-    await page.locator("[data-function=old_corner]").click();
-    await counts(page.locator("[data-function]"), 0);
+    await page.locator("[data-mask=old_corner]").click();
+    await counts(page.locator("[data-mask]"), 0);
     await field(page, "zo").selectOption("G54");
     const places = ["X20 Y-20 Z-8", "X80", "Y-60 X-20 Y40"].map(axes => `move machine ${axes}`);
     const [saved] = await Promise.all([
@@ -184,7 +184,7 @@ describe("before NC start", () => {
   // a radius of 3 mm
   test("the help is read, a face is clicked, and what would be written is written", async () => {
     const { context, page, problems } = await open(chrome.browser, { path: "#jog", serviceWorkers: "block" });
-    await page.locator("[data-function=set_edge]").click();
+    await page.locator("[data-mask=set_edge]").click();
     await page.locator(".jog-help summary").click();
     await page.locator(".jog-help li").getByText("in front of the edge").waitFor();
     await page.locator(".jog-help li").getByText("Measure workpiece > Edge > Set edge").waitFor();
@@ -200,12 +200,12 @@ describe("before NC start", () => {
     const before = await figures(page);
     for (let down = 0.5; down < 0.9; down += 0.05) {
       await stage.click({ position: { x: width / 2, y: height * down } });
-      if ((await position(page, "Y").textContent()) === "\u221228.000") break;
+      if ((await position(page, "Y").textContent()) === "\u221228.0000") break;
     }
     assert.notDeepEqual(await figures(page), before);
-    assert.equal(await position(page, "Y").textContent(), "\u221228.000");
+    assert.equal(await position(page, "Y").textContent(), "\u221228.0000");
     assert.ok((await position(page, "Z").textContent()).startsWith("\u2212"), "beside the face, not above it");
-    await ahead(page, "touch").getByText("Y \u22123.000").waitFor();
+    await ahead(page, "touch").getByText("Y \u22123.0000").waitFor();
     const promised = await ahead(page, "write").allTextContents();
     assert.equal(promised.length > 0, true);
     await counts(ahead(page, "activate"), 1);
@@ -243,7 +243,7 @@ describe("every function", () => {
         viewport: { width, height },
         serviceWorkers: "block",
       });
-      await page.locator("[data-function]").first().waitFor();
+      await page.locator("[data-mask]").first().waitFor();
       assert.deepEqual([...(await faults(page)), ...(await small(page))], [], "the functions");
       await page.locator(".jog-hint").waitFor();
       for (const window of [
@@ -254,10 +254,10 @@ describe("every function", () => {
         assert.deepEqual(await covered(page), [], `${window.width} × ${window.height}`);
       }
       await page.setViewportSize({ width, height });
-      const names = await page.locator("[data-function]").evaluateAll(all => all.map(one => one.dataset.function));
-      assert.equal(names.length, 18);
+      const names = await page.locator("[data-mask]").evaluateAll(all => all.map(one => one.dataset.mask));
+      assert.equal(names.length, 21, "each softkey of the bars");
       for (const name of names) {
-        await page.locator(`[data-function="${name}"]`).click();
+        await page.locator(`[data-mask="${name}"]`).click();
         await page.locator(".jog-title h3").waitFor();
         assert.ok(await page.locator(".jog-field").count(), name);
         assert.deepEqual([...(await faults(page)), ...(await small(page))], [], name);

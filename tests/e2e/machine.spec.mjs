@@ -81,6 +81,34 @@ describe("machine data", () => {
     await context.close();
   });
 
+  // oracle: hand (the longest choice of each datum beside the room of its field, and of each unit the digits before it)
+  test("no choice is cut, and no unit covers a number", async () => {
+    const { context, page } = await open(chrome.browser);
+    const shown = await dialog(page);
+    await shown.locator("summary").evaluateAll(all => {
+      for (const one of all) one.click();
+    });
+    await shown.locator(".datum select").first().waitFor();
+    const cut = await shown.evaluate(node => {
+      const pen = document.createElement("canvas").getContext("2d");
+      const ARROW = 28; // px, with the inner margin
+      const long = select => {
+        pen.font = getComputedStyle(select).font;
+        const longest = Math.max(...[...select.options].map(({ text }) => pen.measureText(text).width));
+        return longest + ARROW > select.clientWidth;
+      };
+      const covers = unit => {
+        const room = Number.parseFloat(getComputedStyle(unit.previousElementSibling).paddingInlineEnd);
+        return unit.textContent !== "" && unit.scrollWidth > room;
+      };
+      const name = one => one.closest(".datum").querySelector("code").textContent;
+      const of = (what, wrong) => [...node.querySelectorAll(what)].filter(wrong).map(name);
+      return [...of(".datum select", long), ...of(".datum .entry-line > .unit", covers)];
+    });
+    assert.deepEqual(cut, []);
+    await context.close();
+  });
+
   // oracle: manual B:12501-12506, B:12518-12532, B:12549-12553
   test("forms are those of the control where chosen: the mask decides them, its change is told", async () => {
     const { context, page, problems } = await open(chrome.browser);

@@ -21,9 +21,9 @@ async function functions(page) {
     return areas;
   });
   return areas.flatMap(area =>
-    area.functions.map(({ name, masks: [mask] }) => {
-      const lines = [`mask ${mask.name}`, ...WORK[name]];
-      return { name, piece: mask.piece, lines: lines.slice(0, lines.lastIndexOf("start")) };
+    area.masks.map(({ name, piece }) => {
+      const lines = [`mask ${name}`, ...WORK[name]];
+      return { name, piece, lines: lines.slice(0, lines.lastIndexOf("start")) };
     }),
   );
 }

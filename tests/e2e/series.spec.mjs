@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { counts, packages, shared } from "./browser.mjs";
+import { faults } from "./room.mjs";
 import { start } from "./start.mjs";
 
 const axe = packages.resolve("axe-core/axe.min.js");
@@ -47,6 +48,12 @@ describe("a series of parts", () => {
     await shown.getByText(/^Part 3 · Actual value 50\.060\smm · Setpoint 50\.000\smm/).waitFor();
     assert.match(await chart.getAttribute("aria-valuetext"), /^Part 3 · /);
     await shown.getByText("No alarm.").waitFor();
+    // a desktop at 400 %: each value stands below the other, with its head
+    const { width, height } = page.viewportSize();
+    await page.setViewportSize({ width: 320, height: 200 });
+    await shown.locator(".series-table thead").first().waitFor({ state: "hidden" });
+    assert.deepEqual(await faults(page), []);
+    await page.setViewportSize({ width, height });
     await page.addScriptTag({ path: axe });
     const wrong = await page.evaluate(() => window.axe.run("dialog.series").then(({ violations }) => violations));
     assert.deepEqual(

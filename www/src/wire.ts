@@ -2176,8 +2176,8 @@ export type PracticeApproach = {
 export type PracticeArea = {
   /** What it says. */
   label: Message,
-  /** Its functions. */
-  functions: Array<PracticeFunction>,
+  /** The masks that it offers. */
+  masks: Array<PracticeChoice>,
 };
 
 /** A call as its mask. */
@@ -2260,14 +2260,6 @@ export type PracticeFigure = {
   unit: string,
 };
 
-/** A function. */
-export type PracticeFunction = {
-  /** Name. */
-  name: string,
-  /** Its masks. */
-  masks: Array<PracticeChoice>,
-};
-
 /** Which keys do something. */
 export type PracticeKeys = {
   /** NC start. */
@@ -2347,6 +2339,8 @@ export type PracticeProgram = {
   values: { [key in string]: string },
   /** What is different; why there is none. */
   told: Array<Message>,
+  /** The line with which the session ended before its end. */
+  refused?: PracticeRefusal,
 };
 
 /** A line that was not carried out. */
@@ -2357,6 +2351,8 @@ export type PracticeRefusal = {
   message: Message,
   /** What helps. */
   hint?: Message,
+  /** Lines behind it, which were not carried out either. */
+  left: number,
 };
 
 /** A session of measuring in JOG. */
@@ -3191,7 +3187,7 @@ export type ScenarioView = {
 
 /** A coordinate system, machine coordinates. */
 export type SceneFrame = {
-  /** `MCS`, or the name of its zero offset. */
+  /** The name of its zero offset; empty: the machine's own. */
   name: string,
   /** Zero of the frame, mm. */
   at: [number, number, number],

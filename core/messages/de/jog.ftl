@@ -70,6 +70,7 @@ jog-line-swivels = Der Tisch schwenkt mit NC-Start.
 jog-line-no-swivel = Keine Rundachsen dieser Maschine können den Messtaster senkrecht zur Ebene stellen. Mit TRAORI oder von Hand ist er vor der nächsten Messung auszurichten.
 jog-line-turned = Das Werkstück ist um die Werkzeugachse gedreht. Beim Verfahren im WKS beachten.
 jog-line-rotary = Die NV der Rundachse { $axis } wurde korrigiert. Das Werkstück ist ausgerichtet, sobald die Achse verfahren ist.
+jog-line-aligned = Das Werkstück hat seinen Sollwinkel: Es wurde nichts geschrieben, die Rundachse { $axis } bleibt stehen.
 jog-line-start = Zum Aktivieren NC-Start drücken.
 
 jog-state-menu = Keine Maske ist offen.
@@ -133,6 +134,7 @@ jog-script-set = Keine Variable mit Wert: { $text }
 jog-script-set-hint = Name und Wert schreiben, zum Beispiel „set _JM_I[4] = 1“.
 jog-script-long = Das Skript hat mehr als { $limit } Zeilen.
 jog-script-long-hint = In mehrere Skripte teilen.
+jog-left-out = Die Sitzung endet in Zeile { $line }. { $lines } weitere Zeilen des Skripts wurden nicht ausgeführt.
 
 jog-point = { $point }: { $place }
 jog-offset-active = Aktiv: { $offset }
@@ -166,6 +168,23 @@ jog-crash-cutter = Das Werkzeug ist mit dem Werkstück kollidiert. Es löst kein
 jog-crash-hint = Achse in Gegenrichtung freifahren, dann mit kleinerem Schrittmaß anfahren.
 jog-crash-reset-hint = RESET drücken. Dann die Achse in Gegenrichtung freifahren.
 jog-probe-hint = Nur der Messtaster misst das Werkstück. Werkzeug freifahren, dann den Messtaster einwechseln.
+
+# Was gegen einen Alarm hilft, mit den Wörtern der Masken und der Daten für JOG.
+jog-cure-61301 = Näher heranfahren: Gesucht wird über zweimal E_MESS_D_M. Schaltsignal des Messtasters prüfen.
+jog-cure-61301-tool = Näher heranfahren: Messweg E_MESS_MT_D, bei drehendem Werkzeug E_MESS_D_L oder E_MESS_D_R. Schaltsignal prüfen.
+jog-cure-61302 = Von einer Stelle starten, von der jeder Punkt frei erreichbar ist. Größe und DZ in der Maske prüfen.
+jog-cure-61302-tool = Von einer Stelle starten, von der der Werkzeugmesstaster frei erreichbar ist.
+jog-cure-61309 = Messtaster in die Spindel einwechseln: ein Werkzeug vom Typ 710 oder 1x0.
+jog-cure-61311 = Messtaster oder zu messendes Werkzeug mit seiner D-Nummer in die Spindel einwechseln.
+jog-cure-61313 = _JM_I[1] korrigieren (bei _JM_I[0] = 1 die Ebene _JM_I[3]) oder _CVAL[1] erhöhen und Datenfelder anlegen.
+jog-cure-61313-tool = _JM_I[2] korrigieren oder _CVAL[0] erhöhen und Datenfelder des Werkzeugmesstasters anlegen.
+jog-cure-61316 = Die Mittelpunkte liegen auf einer Geraden oder aufeinander: P1 bis P3 an drei Stellen des Kreises messen.
+jog-cure-61332 = Das ganze Werkzeug auf die Anfahrseite fahren: über den Messtaster oder wie E_MESS_MT_DIR angibt.
+jog-cure-61350 = E_MESS_MAX_V, E_MESS_MAX_S, E_MESS_MAX_F und E_MESS_MIN_D größer als 0 eintragen.
+jog-cure-61367 = Einen der beiden Punkte verwerfen, an eine andere Stelle fahren und neu messen.
+jog-cure-61368 = Ecke: P1, P2 auf der einen Kante, P3, P4 auf der anderen. 4 Mittelpunkte: P3 gegenüber P1, P4 gegenüber P2.
+jog-cure-61372 = Den Radius auf einer Maschine mit SPOS-fähiger Spindel abgleichen.
+jog-cure-61401 = Der Punkt liegt hinter dem Software-Endschalter: Werkstück anders aufspannen oder anderen Punkt wählen.
 
 jog-ahead-start = NC-Start würde
 jog-ahead-calculate = Berechnen würde

@@ -1,5 +1,6 @@
 # Was neben der Zeichnung steht.
 frame-now = { $name }
+frame-machine = MKS
 frame-before = { $name } vorher
 frame-after = { $name } nachher
 collision-ball = Messtasterkugel

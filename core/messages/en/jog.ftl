@@ -70,6 +70,7 @@ jog-line-swivels = The table swivels when you press NC start.
 jog-line-no-swivel = No rotary axes of this machine can set the probe perpendicular to the plane. With TRAORI or by hand it has to be oriented before you measure again.
 jog-line-turned = The workpiece is rotated about the tool axis. Take care when you move in the WCS.
 jog-line-rotary = The zero offset of rotary axis { $axis } was corrected. The part is aligned once the axis has moved.
+jog-line-aligned = The part has its set angle: nothing was written, and rotary axis { $axis } stays where it is.
 jog-line-start = Press NC start to activate.
 
 jog-state-menu = No mask is open.
@@ -133,6 +134,7 @@ jog-script-set = Not a data item with a value: { $text }
 jog-script-set-hint = Write the name and the value, for example “set _JM_I[4] = 1”.
 jog-script-long = The script has more than { $limit } lines.
 jog-script-long-hint = Split it into several scripts.
+jog-left-out = The session ends at line { $line }. { $lines } further lines of the script were not carried out.
 
 jog-point = { $point }: { $place }
 jog-offset-active = Active: { $offset }
@@ -166,6 +168,23 @@ jog-crash-cutter = The tool hit the part. A tool gives no signal, so nothing sto
 jog-crash-hint = Move the axis back in the opposite direction, then approach with a smaller increment.
 jog-crash-reset-hint = Press RESET. Then move the axis back in the opposite direction.
 jog-probe-hint = Only the probe measures the workpiece. Move the tool away, then take the probe into the spindle.
+
+# What helps against an alarm, in words of the masks and the set-up of JOG.
+jog-cure-61301 = Start closer: the probe searches over twice E_MESS_D_M. Check the probe signal.
+jog-cure-61301-tool = Start closer, within E_MESS_MT_D, for a rotating tool E_MESS_D_L or E_MESS_D_R. Check the probe signal.
+jog-cure-61302 = Start where the way to each point is free. Check the size and DZ in the mask.
+jog-cure-61302-tool = Start where the way to the tool probe is free.
+jog-cure-61309 = Take the probe into the spindle: a tool of type 710 or 1x0.
+jog-cure-61311 = Take the probe, or the tool to be measured, into the spindle with its D number.
+jog-cure-61313 = Correct _JM_I[1] (with _JM_I[0] = 1: the plane _JM_I[3]), or increase _CVAL[1] and add the probe data.
+jog-cure-61313-tool = Correct _JM_I[2], or increase _CVAL[0] and add the data of the tool probe.
+jog-cure-61316 = The centres are collinear or coincide: measure P1 to P3 at three different places of the circle.
+jog-cure-61332 = Jog the whole tool to the side from which it approaches: above the probe, or as E_MESS_MT_DIR says.
+jog-cure-61350 = Set E_MESS_MAX_V, E_MESS_MAX_S, E_MESS_MAX_F and E_MESS_MIN_D above 0.
+jog-cure-61367 = Reject one of the two points, jog to another place and measure it again.
+jog-cure-61368 = Corner: P1 and P2 on one edge, P3 and P4 on the other. Four centres: P3 opposite P1, P4 opposite P2.
+jog-cure-61372 = Calibrate the radius on a machine with an SPOS-capable spindle.
+jog-cure-61401 = The point is beyond the software limit switch: clamp the part elsewhere, or choose another point.
 
 jog-ahead-start = NC start would
 jog-ahead-calculate = Calculate would

@@ -1,5 +1,6 @@
 # What is written beside what is drawn.
 frame-now = { $name }
+frame-machine = MCS
 frame-before = { $name } before
 frame-after = { $name } after
 collision-ball = ball

@@ -70,6 +70,7 @@ jog-line-swivels = 按 NC 启动后工作台回转。
 jog-line-no-swivel = 此机床没有能使测头垂直于平面的回转轴。再次测量前须用 TRAORI 或手动调整测头方向。
 jog-line-turned = 工件绕刀具轴旋转。在工件坐标系中移动时请注意。
 jog-line-rotary = 回转轴 { $axis } 的零点偏移已补偿。该轴移动后工件才找正。
+jog-line-aligned = 工件已处于设定角度：没有写入任何值，旋转轴 { $axis } 保持原位。
 jog-line-start = 请按 NC 启动以激活。
 
 jog-state-menu = 没有打开输入画面。
@@ -133,6 +134,7 @@ jog-script-set = 不是带值的数据：{ $text }
 jog-script-set-hint = 请写名称和值，例如“set _JM_I[4] = 1”。
 jog-script-long = 脚本超过 { $limit } 行。
 jog-script-long-hint = 请拆分成几个脚本。
+jog-left-out = 会话在第 { $line } 行结束。脚本中还有 { $lines } 行没有执行。
 
 jog-point = { $point }：{ $place }
 jog-offset-active = 激活：{ $offset }
@@ -166,6 +168,23 @@ jog-crash-cutter = 刀具碰到工件。刀具不发出信号，因此此前没�
 jog-crash-hint = 请反方向移开该轴，再用较小的增量靠近。
 jog-crash-reset-hint = 请按 RESET，然后反方向移开该轴。
 jog-probe-hint = 只有测头能测量工件。请移开刀具，再把测头换入主轴。
+
+# 报警的排除方法，用 JOG 屏幕和数据的用语。
+jog-cure-61301 = 请从更近处开始：搜索行程为 E_MESS_D_M 的两倍。请检查测头信号。
+jog-cure-61301-tool = 请从更近处开始：测量行程为 E_MESS_MT_D，刀具旋转时为 E_MESS_D_L 或 E_MESS_D_R。请检查测头信号。
+jog-cure-61302 = 请从到各点路径都畅通的位置开始。请检查屏幕中的尺寸和 DZ。
+jog-cure-61302-tool = 请从到刀具测头路径畅通的位置开始。
+jog-cure-61309 = 请把测头换入主轴：类型 710 或 1x0 的刀具。
+jog-cure-61311 = 请把测头或被测刀具连同其 D 号换入主轴。
+jog-cure-61313 = 请改正 _JM_I[1]（_JM_I[0] = 1 时为平面 _JM_I[3]），或加大 _CVAL[1] 并建立测头数据。
+jog-cure-61313-tool = 请改正 _JM_I[2]，或加大 _CVAL[0] 并建立刀具测头数据。
+jog-cure-61316 = 各中心共线或重合：请在圆周的三个不同位置测量 P1 到 P3。
+jog-cure-61332 = 请把整把刀具移到其接近的一侧：测头上方，或 E_MESS_MT_DIR 规定的一侧。
+jog-cure-61350 = 请把 E_MESS_MAX_V、E_MESS_MAX_S、E_MESS_MAX_F 和 E_MESS_MIN_D 设为大于 0。
+jog-cure-61367 = 请拒收两点之一，移到另一位置后重新测量。
+jog-cure-61368 = 拐角：P1、P2 在一条边上，P3、P4 在另一条边上。四个中心：P3 与 P1 相对，P4 与 P2 相对。
+jog-cure-61372 = 请在主轴能定位的机床上校准半径。
+jog-cure-61401 = 该点在软件限位开关之外：请改变装夹位置，或选择另一点。
 
 jog-ahead-start = 若按 NC 启动，将会
 jog-ahead-calculate = 若按“计算”，将会

@@ -1,5 +1,6 @@
 # 图形旁边的文字。
 frame-now = { $name }
+frame-machine = MCS
 frame-before = { $name } 补偿前
 frame-after = { $name } 补偿后
 collision-ball = 测球

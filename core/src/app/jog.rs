@@ -8,6 +8,7 @@ use super::run::RunAnswer;
 use crate::control::{AXES, Control, Value, gud};
 use crate::geometry::Mcs;
 use crate::jog::chance::{self, Truth};
+use crate::jog::help;
 use crate::jog::mask::key;
 use crate::jog::script::{Command, Line, Way, Wrong, read};
 use crate::jog::values::Values;
@@ -21,6 +22,8 @@ use serde::Serialize;
 pub struct JogView {
     /// Its lines, as far as they were carried out.
     pub lines: Vec<JogLine>,
+    /// Lines behind one that was refused, which were not carried out.
+    pub left: u32,
     /// How the part was put, where chance put it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub truth: Option<Truth>,
@@ -51,6 +54,9 @@ pub struct JogLine {
     /// Why it did nothing.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub refused: Option<Message>,
+    /// What helps then.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub hint: Option<Message>,
     /// The alarm that it raised, or what was hit.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub raised: Option<Raised>,
@@ -148,7 +154,8 @@ pub(super) fn all(lines: &[Line], begun: &Setup) -> JogView {
     }
     let (control, position) = (session.sim.control.clone(), session.sim.position);
     let setup = Setup { control, position, ..begun.clone() };
-    JogView { lines: done, truth: None, ahead: ahead(&session), setup, calls: recorder.calls }
+    let left = u32::try_from(lines.len() - done.len()).unwrap_or(u32::MAX);
+    JogView { lines: done, left, truth: None, ahead: ahead(&session), setup, calls: recorder.calls }
 }
 
 fn carry_out(session: &mut Session, line: &Line) -> JogLine {
@@ -170,6 +177,7 @@ fn carry_out(session: &mut Session, line: &Line) -> JogLine {
         state: session.state(),
         mask: session.mask().map(|mask| Message::new(key("mask", mask.name))),
         plane: [abscissa, ordinate].map(|axis| AXES[axis]),
+        hint: refused.as_ref().and_then(|why| help::cure_of(why, session.mask())),
         refused,
         raised: session.stopped().filter(|now| crashed || stop.as_ref() != Some(now)).map(|stop| raised(session, stop)),
         notes: steps.iter().filter_map(note).collect(),
@@ -196,6 +204,11 @@ pub(super) fn note(step: &Step) -> Option<Message> {
 /// ended with it; and no tool measures the workpiece.
 pub(super) fn raised(session: &Session, stop: &Stop) -> Raised {
     let raised = Raised::stop(stop);
+    let cure = match stop {
+        Stop::Alarm(code) => Some(Message::new(help::cure(*code, session.mask()))),
+        Stop::Fault(message) => help::cure_of(message, session.mask()),
+    };
+    let raised = Raised { hint: cure.or(raised.hint), ..raised };
     let alarm = session.state() == State::Alarm;
     let workpiece = session.mask().is_some_and(|mask| !mask.task.of_tool());
     let hint = match raised.message.key.as_ref() {

@@ -4,8 +4,8 @@ use super::help::HelpText;
 use crate::catalogue::in_jog::TABLE;
 use crate::catalogue::softkeys::{Softkeys, Way, softkeys};
 use crate::entry::Cycle;
-use crate::jog::mask::{Area, Function, Mask, key};
-use crate::jog::masks::FUNCTIONS;
+use crate::jog::mask::{Area, Mask, key};
+use crate::jog::masks;
 use crate::jog::softkeys::{self, Software};
 use crate::manual::Cited;
 use crate::message::Message;
@@ -44,8 +44,7 @@ fn in_jog(cycle: &Cycle, variant: i64) -> Vec<Message> {
     let mut found: Vec<Message> = Vec::new();
     let same = |number: i64, also: &[i64]| number == variant || also.contains(&variant);
     for one in TABLE.iter().filter(|one| one.cycle == cycle.name && same(one.variant, one.also)) {
-        let function = FUNCTIONS.iter().find(|function| function.masks.iter().any(|mask| mask.name == one.mask));
-        let Some(Function { area, .. }) = function else { continue };
+        let Some(area) = masks::find(one.mask).map(|mask| mask.task.area()) else { continue };
         let mask = key("mask", one.mask);
         let message = match area {
             Area::Tool => Message::new("where-jog-tool").text("mask", mask),

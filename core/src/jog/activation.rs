@@ -17,6 +17,8 @@ pub struct Reasons {
     pub swivels: bool,
     /// It demands another position of a rotary axis: index A B C, and where it stands when the part is aligned.
     pub rotary: Option<(usize, Degrees)>,
+    /// It stands there already: nothing was wrong, and nothing was written. The screen comes up all the same (B:3092).
+    pub aligned: bool,
 }
 
 impl Reasons {
@@ -72,8 +74,8 @@ impl Activation {
         // a plane that is not active is none to which the probe could stand
         let orients = self.reasons.swivels && self.values.word(ACTIVATE) == YES[0];
         let retracts = orients && self.values.word(ORIENT) == YES[0];
-        let shown =
-            [(ACTIVATE, true), (ORIENT, orients), (RETRACT, retracts), (POSITION, self.reasons.rotary.is_some())];
+        let positions = self.reasons.rotary.is_some() && !self.reasons.aligned;
+        let shown = [(ACTIVATE, true), (ORIENT, orients), (RETRACT, retracts), (POSITION, positions)];
         shown.into_iter().filter_map(|(name, shown)| shown.then_some(name)).collect()
     }
 
@@ -104,7 +106,7 @@ impl Activation {
         let name = offset::name(control, self.store);
         let mut lines = Vec::new();
         let orients = self.says(ORIENT);
-        if self.reasons.inactive && !orients {
+        if self.reasons.inactive && !orients && !self.reasons.aligned {
             lines.push(Message::new("jog-line-inactive").text("offset", &name));
         }
         if self.reasons.tilts && (orients || !self.reasons.swivels) {
@@ -118,7 +120,8 @@ impl Activation {
             lines.push(Message::new("jog-line-turned"));
         }
         if let Some((axis, _)) = self.reasons.rotary {
-            lines.push(Message::new("jog-line-rotary").text("axis", ROTARY[axis.min(2)]));
+            let key = if self.reasons.aligned { "jog-line-aligned" } else { "jog-line-rotary" };
+            lines.push(Message::new(key).text("axis", ROTARY[axis.min(2)]));
         }
         lines.push(Message::new("jog-line-start"));
         lines

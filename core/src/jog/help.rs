@@ -2,8 +2,10 @@
 //! what is written, what goes wrong; and the alarms that can come. A mask has its own lines, those of many are here.
 
 use super::mask::{Element, Mask, Task};
+use crate::catalogue::alarms;
 use crate::diagnostic::Code;
 use crate::entry::{ProbeUse, SECTIONS, Section};
+use crate::message::Message;
 
 /// A sentence or two.
 #[derive(Debug)]
@@ -151,6 +153,27 @@ pub fn alarms(mask: &Mask) -> Vec<Code> {
     numbers.into_iter().map(Code::Alarm).collect()
 }
 
+/// Alarms whose cure speaks of a call: in JOG it speaks of the mask and of the set-up.
+const CURED_HERE: &[u32] = &[61301, 61302, 61309, 61311, 61313, 61316, 61332, 61350, 61367, 61368, 61372, 61401];
+/// Those of them of which it is another one with the tool probe.
+const CURED_FOR_TOOLS: &[u32] = &[61301, 61302, 61313];
+
+/// Key of what helps against an alarm that a mask raises.
+pub fn cure(code: Code, mask: Option<&Mask>) -> String {
+    let tool = mask.is_some_and(|mask| mask.task.of_tool());
+    match code {
+        Code::Alarm(number) if tool && CURED_FOR_TOOLS.contains(&number) => format!("jog-cure-{number}-tool"),
+        Code::Alarm(number) if CURED_HERE.contains(&number) => format!("jog-cure-{number}"),
+        _ => format!("{}.cure", alarms::key(code)),
+    }
+}
+
+/// What helps where points make nothing, which the control tells by the words of an alarm.
+pub fn cure_of(why: &Message, mask: Option<&Mask>) -> Option<Message> {
+    let number = why.key.strip_prefix("alarm-")?.parse().ok()?;
+    Some(Message::new(cure(Code::Alarm(number), mask)))
+}
+
 #[cfg(all(test, feature = "cli"))]
 mod tests {
     #![allow(clippy::unwrap_used)]
@@ -176,6 +199,33 @@ mod tests {
                 assert!(!Cited(line.source).to_string().is_empty(), "{}", line.key);
             }
         }
+    }
+
+    /// Data of JOG and those that it shares with the cycles (`data.tsv` of the specification: B:14157-14368, B:2746-2754,
+    /// B:13346, B:3984), data of the tool, the control's own.
+    const KNOWN: [&str; 8] = ["_JM_", "E_MESS_", "_WP", "_TP", "_CVAL", "_SI", "$TC_DP", "MM_"];
+
+    // oracle: manual (B:14157-14368): JOG has no parameters, it has masks and data of its own
+    #[test]
+    fn no_cure_names_what_jog_does_not_have() {
+        let words = Words::english();
+        let mut cures = BTreeSet::new();
+        for mask in masks::all() {
+            for code in super::alarms(mask) {
+                let key = cure(code, Some(mask));
+                let text = words.key(key.clone());
+                let names = text.split(|c: char| !(c.is_ascii_alphanumeric() || c == '_' || c == '$'));
+                for name in names.filter(|name| name.contains('_')) {
+                    assert!(KNOWN.iter().any(|known| name.starts_with(known)), "{} {code}: {text}", mask.name);
+                }
+                let call = ["program ", "the call", "the cycle", "etpoint", "ariant", "CYCLE"];
+                assert!(!call.iter().any(|word| text.contains(word)), "{} {code}: {text}", mask.name);
+                cures.insert(key);
+            }
+        }
+        let own = CURED_HERE.iter().map(|number| format!("jog-cure-{number}"));
+        let unsaid: Vec<String> = own.filter(|key| !cures.contains(key)).collect();
+        assert!(unsaid.is_empty(), "{unsaid:?}");
     }
 
     // oracle: self: an alarm that a sentence names is one of those that the mask can raise; every sentence is said

@@ -3,18 +3,17 @@
 
 use super::help::Line;
 
-/// A function of measuring in JOG, with its masks: one, or one for holes and one for spigots.
+/// A function of measuring in JOG, with its masks: one, or one for holes and one for spigots, which the softkeys keep
+/// apart.
 #[derive(Debug)]
 pub struct Function {
     /// Name, with which its words begin: `jog-function-…`.
     pub name: &'static str,
-    /// Softkey of the vertical bar under which it stands.
-    pub area: Area,
     /// Its masks.
     pub masks: &'static [Mask],
 }
 
-/// A softkey of the vertical bar (B:2722-2728, B:3959-4057).
+/// A softkey of the vertical bar (B:2722-2728), and Measure tool beside Measure workpiece (B:2616-2643).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Area {
     /// Edge.
@@ -113,6 +112,24 @@ impl Task {
         matches!(self, Task::ToolProbe | Task::ToolLength | Task::ToolRadius)
     }
 
+    /// The softkey under which it stands (B:2891-2895, B:2991-2993, B:3167-3168, B:3264-3268, B:3295-3299).
+    pub fn area(self) -> Area {
+        match self {
+            Task::Edge | Task::EdgeAngle | Task::Distance => Area::Edge,
+            Task::Corner => Area::Corner,
+            Task::Element(Element { inside, .. }) | Task::Centres(Element { inside, .. }) => {
+                if inside {
+                    Area::Hole
+                } else {
+                    Area::Spigot
+                }
+            }
+            Task::Plane => Area::Plane,
+            Task::Length | Task::Ring => Area::Calibrate,
+            Task::ToolProbe | Task::ToolLength | Task::ToolRadius => Area::Tool,
+        }
+    }
+
     /// Whether a zero offset can be corrected by it.
     pub fn corrects(self) -> bool {
         !self.of_tool() && !matches!(self, Task::Length | Task::Ring)
@@ -180,6 +197,16 @@ pub enum Show {
     Length(&'static str),
     /// A result, an angle in degree.
     Angle(&'static str),
+}
+
+/// Decimals with which the control shows a value of a mask, or what is written: four for mm and degrees, five for
+/// inches (B:3826-3846, B:3880-3883); none: it is a number without unit.
+pub fn decimals(unit: &str) -> Option<usize> {
+    match unit {
+        "mm" | "deg" => Some(4),
+        "inch" => Some(5),
+        _ => None,
+    }
 }
 
 /// Key of the words for a mask, a field or a result: `jog-field-set-p1`.

@@ -104,7 +104,7 @@ const COMMANDS: [&str; 14] = [
 pub fn read(text: &str) -> Result<Vec<Line>, Wrong> {
     let mut lines = Vec::new();
     for (index, line) in text.lines().enumerate() {
-        let text = line.split([';', '#']).next().unwrap_or_default().trim();
+        let text = bare(line);
         let number = u32::try_from(index + 1).unwrap_or(u32::MAX);
         if text.is_empty() {
             continue;
@@ -117,6 +117,17 @@ pub fn read(text: &str) -> Result<Vec<Line>, Wrong> {
         lines.push(Line { number, text: text.to_owned(), command: command(text).map_err(wrong)? });
     }
     Ok(lines)
+}
+
+/// How many lines say something behind one.
+pub fn behind(text: &str, line: u32) -> u32 {
+    let says = |text: &&str| !bare(text).is_empty();
+    u32::try_from(text.lines().skip(line as usize).filter(says).count()).unwrap_or(u32::MAX)
+}
+
+/// A line without its comment.
+fn bare(line: &str) -> &str {
+    line.split([';', '#']).next().unwrap_or_default().trim()
 }
 
 /// What is wrong, and what helps.
@@ -276,5 +287,6 @@ mod tests {
             assert_eq!(wrong.line, 3, "{text}");
         }
         assert_eq!(read("\n;\n# nothing\n"), Ok(Vec::new()));
+        assert_eq!(behind("start\ngo\n; a comment\n\nstart\nwhat\n", 2), 2);
     }
 }

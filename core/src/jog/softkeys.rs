@@ -51,7 +51,7 @@ pub fn softkeys(mask: &Mask) -> impl Iterator<Item = &'static Softkeys> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::jog::masks::{FUNCTIONS, OLDER, all};
+    use crate::jog::masks::{FUNCTIONS, OLDER, all, menu};
     use crate::manual::Cited;
 
     // oracle: self: no row is lost or serves nothing, and each mask has the way of the software that offers it
@@ -73,6 +73,46 @@ mod tests {
         for row in SOFTKEYS.iter() {
             let serves = all().any(|mask| mask.name == row.mask);
             assert!(serves && !Cited(row.source).to_string().is_empty(), "{row:?}");
+        }
+    }
+
+    // oracle: manual B:2722-2728, B:2894-2895, B:2991-2993, B:3167-3168, B:3264-3268, B:3295-3299, B:4037-4057: the
+    // masks of a softkey of the bar are those whose way leads through it, all of them, in its order
+    #[test]
+    fn the_menu_is_that_of_the_control() {
+        for (functions, software) in [(FUNCTIONS, Software::Newer), (OLDER, Software::Older)] {
+            let mut ways: Vec<Vec<&str>> = Vec::new();
+            for (_, masks) in menu(functions) {
+                let way = |mask: &Mask| softkeys(mask).next().map_or("", |one| one.softkeys);
+                let bar = |mask: &Mask| {
+                    let keys: Vec<&str> = way(mask).split(" > ").collect();
+                    if keys[0] == "Measure tool" { keys[0] } else { keys[1] }
+                };
+                let bars: Vec<&str> = masks.iter().map(|mask| bar(mask)).collect();
+                assert!(bars.iter().all(|one| *one == bars[0]), "{bars:?}");
+                ways.push(masks.iter().map(|mask| mask.name).collect());
+            }
+            let wanted: &[&[&str]] = if software == Software::Newer {
+                &[
+                    &["set_edge", "align_edge", "distance"],
+                    &["corner_right", "corner_any"],
+                    &["pocket_rect", "hole_1", "holes_2", "holes_3", "holes_4"],
+                    &["spigot_rect", "spigot_1", "spigots_2", "spigots_3", "spigots_4"],
+                    &["align_plane"],
+                    &["cal_length", "cal_radius"],
+                    &["tool_length", "tool_radius", "tool_cal"],
+                ]
+            } else {
+                &[
+                    &["old_edge"],
+                    &["old_corner"],
+                    &["old_hole"],
+                    &["old_spigot"],
+                    &["old_cal_length", "old_cal_radius"],
+                    &["tool_length", "tool_radius", "tool_cal"],
+                ]
+            };
+            assert_eq!(ways, wanted);
         }
     }
 

@@ -5,7 +5,7 @@ use crate::app::{HelpText, whereabouts_in_jog};
 use crate::catalogue::alarms;
 use crate::control::OLDER_JOG;
 use crate::diagnostic::Code;
-use crate::jog::help::{Line, alarms as raised, help};
+use crate::jog::help::{Line, alarms as raised, cure, help};
 use crate::jog::mask::{Field, Kind, Least, Mask, Show, key};
 use crate::jog::practice::{machine, piece};
 use crate::jog::values::words as choices;
@@ -24,20 +24,19 @@ pub fn page(words: &Words) -> String {
     line(&mut text, &format!("# {}", words.key("report-jog")));
     line(&mut text, &words.key("report-jog-intro"));
     line(&mut text, &words.key("report-generated"));
-    let mut area = None;
-    for function in FUNCTIONS {
-        if area.replace(function.area) != Some(function.area) {
-            line(&mut text, &format!("## {}", words.key(function.area.key())));
-        }
-        function.masks.iter().for_each(|mask| section(&mut text, mask, words));
+    for (area, masks) in masks::menu(FUNCTIONS) {
+        line(&mut text, &format!("## {}", words.key(area.key())));
+        masks.into_iter().for_each(|mask| section(&mut text, mask, words));
     }
     line(&mut text, &format!("## {}", words.key("report-jog-older")));
     line(&mut text, &words.key("report-jog-older-intro"));
     masks::all().filter(|mask| mask.older.is_some()).for_each(|mask| section(&mut text, mask, words));
     let known: BTreeSet<Code> = masks::all().flat_map(raised).collect();
     let cells = |code: Code| {
-        let key = alarms::key(code);
-        [code.to_string(), words.key(key.clone()), words.key(format!("{key}.cure"))]
+        let raise = masks::all().filter(|mask| raised(mask).contains(&code));
+        let cures: BTreeSet<String> = raise.map(|mask| cure(code, Some(mask))).collect();
+        let cures: Vec<String> = cures.into_iter().map(|key| words.key(key)).collect();
+        [code.to_string(), words.key(alarms::key(code)), cures.join(" ")]
     };
     let columns = ["number", "meaning", "cure"];
     table(&mut text, &words.key("report-alarms-raised"), columns, known.into_iter().map(cells), words);

@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(rename = "SceneFrame", optional_fields))]
 pub struct Frame {
-    /// `MCS`, or the name of its zero offset.
+    /// The name of its zero offset; empty: the machine's own.
     pub name: String,
     /// Zero of the frame, mm.
     pub at: [f64; 3],
@@ -32,7 +32,7 @@ pub fn frames(before: &Control, after: &Control) -> Vec<Frame> {
     };
     let mut list = Vec::new();
     if before.to_machine(Wcs([0.0; 3])) != [0.0; 3] {
-        list.push(Frame { name: "MCS".to_owned(), at: [0.0; 3], axes: UNITS, moved: None });
+        list.push(Frame { name: String::new(), at: [0.0; 3], axes: UNITS, moved: None });
     }
     let corner = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     for number in shown(before, after) {

@@ -73,8 +73,10 @@ impl Label {
 pub fn frames(frames: &[Frame]) -> Vec<Label> {
     let mut labels: Vec<(&Frame, Label)> = Vec::new();
     for frame in frames {
-        let key = frame.moved.map_or("frame-now".to_owned(), |moved| format!("frame-{moved}"));
-        let text = Message::new(key).text("name", frame.name.clone());
+        let text = match (frame.name.as_str(), frame.moved) {
+            ("", _) => Message::new("frame-machine"),
+            (name, moved) => Message::new(format!("frame-{}", moved.unwrap_or("now"))).text("name", name),
+        };
         match labels.iter_mut().find(|(known, _)| (known.at, known.axes) == (frame.at, frame.axes)) {
             Some((_, label)) => label.text.push(text),
             None => labels.push((frame, Label::new(Kind::Frame, frame.at, text))),

@@ -411,12 +411,12 @@ fn a_place_that_is_hit_again_is_named_once() {
 #[test]
 fn names_of_coordinate_systems_at_one_place_stand_together() {
     let frame = |name: &str, at, moved| Frame { name: name.to_owned(), at, axes: UNITS, moved };
-    let frames = [frame("MCS", [0.0; 3], None), frame("G54", [1.0; 3], Some("before")), frame("G55", [0.0; 3], None)];
+    let frames = [frame("", [0.0; 3], None), frame("G54", [1.0; 3], Some("before")), frame("G55", [0.0; 3], None)];
     let labels = labels::frames(&frames);
     let told: Vec<_> = labels.iter().map(|label| (label.at, said(label))).collect();
     assert_eq!(
         told,
-        [([0.0; 3], "frame-now MCS, frame-now G55".to_owned()), ([1.0; 3], "frame-before G54".to_owned())]
+        [([0.0; 3], "frame-machine, frame-now G55".to_owned()), ([1.0; 3], "frame-before G54".to_owned())]
     );
 }
 

@@ -2,6 +2,7 @@
 
 use super::{block, machine, open, stand};
 use probewright_core::diagnostic::Code;
+use probewright_core::jog::practice::{self, Piece};
 use probewright_core::jog::{Input, Session, State, help, masks};
 use probewright_core::machine::{Setup, Stop};
 use probewright_core::workpiece::Shape;
@@ -185,4 +186,18 @@ fn every_alarm_that_can_come_is_raised() {
             assert!(raised.contains(&code.to_string()), "{} {code}", mask.name);
         }
     }
+}
+
+// oracle: manual B:3938-3945: a mill of type 120 calibrates the tool probe, also where the machine has no probe of type
+// 710, without which it would be the workpiece probe, and nobody told what of it cuts
+#[test]
+fn the_tool_that_is_measured_is_no_probe() {
+    let mut setup = practice::machine(Piece::Probe);
+    setup.control.tools.retain(|_, tool| tool.edges.values().all(|edge| edge.kind != 710));
+    setup.real_tools.clear();
+    let mut session = Session::new(&setup);
+    open(&mut session, "tool_cal", &[]);
+    session.sim.position[2] = 60.0; // 10 mm above the tool probe
+    session.carry_out(Input::Start).unwrap();
+    assert_eq!((session.state(), session.stopped()), (State::Mask, None));
 }

@@ -5,15 +5,16 @@ use super::loops::{
     BESIDE, BLOCK, HOLE, ISLAND, POCKET, SPIGOT, TARGETS, at, environment, lies, machine, measure, spread,
 };
 use probewright_core::app::call_text as text;
-use probewright_core::control::{AXES, Control, Frame, Plane, Store};
+use probewright_core::control::{AXES, Control, Frame, Plane, Store, gud};
 use probewright_core::dialect::Dialect;
 use probewright_core::geometry::{Mcs, Rpy, V3, Wcs, rigid};
 use probewright_core::jog::counterpart::{Call, call, masked};
 use probewright_core::jog::{Input, Session, State, masks};
-use probewright_core::machine::Setup;
+use probewright_core::machine::{Setup, Step};
 use probewright_core::run::{Limits, Outcome, run};
 use probewright_core::syntax::read;
 use probewright_core::workpiece::{Noise, Shape, Solid, Tool, ToolProbe};
+use std::collections::BTreeSet;
 
 /// Cases of each mask in a test run.
 const CASES: u64 = 2;
@@ -359,6 +360,80 @@ fn a_mask_without_a_counterpart_says_why() {
     assert_eq!(call(&session).unwrap_err().key, "jog-program-step");
     session.press(Input::Back).unwrap();
     assert_eq!(call(&session).unwrap_err().key, "jog-no-mask");
+}
+
+/// Switches of the cycles and of JOG, those that a manual explains; the unit of the data is what the machine has
+/// (B:13594-13596).
+fn switches() -> impl Iterator<Item = String> {
+    let of = |array: &'static str, count: usize| (0..count).map(move |index| format!("{array}[{index}]"));
+    let all = of("_CBIT", 17).chain(of("_CHBIT", 25)).chain(of("_JM_B", 4)).chain(of("E_MESS_SETT", 1));
+    let means = |name: &String| {
+        let (gud, at) = gud::place(name).unwrap();
+        gud.element(&at).is_some_and(|element| !element.internal)
+    };
+    // and what both take alike: the length of the probe, and which way a spindle turns if it follows
+    let not = ["_CBIT[3]", "_CHBIT[24]", "_CBIT[14]", "_CHBIT[14]"];
+    all.filter(means).filter(move |name| !not.contains(&name.as_str()))
+}
+
+/// What is told of a call, what its program does and what JOG does, by the trace and by what stopped it.
+fn done(setup: &Setup, mask: &str, values: &[(&str, &str)], start: [f64; 3]) -> [String; 3] {
+    let mut session = Session::new(setup);
+    super::open(&mut session, mask, values);
+    session.sim.position = Mcs(start);
+    let made = call(&session).unwrap();
+    let mut setup = setup.clone();
+    setup.position = made.control.to_machine(made.start);
+    let program = read(Dialect::Sinumerik, format!("{}M30\n", text(&made)).as_bytes());
+    let outcome = run(&program, &setup, Limits::default());
+    let before = session.sim.trace.entries.len();
+    session.carry_out(Input::Start).unwrap();
+    let steps: Vec<Step> = session.sim.trace.entries.behind(before).map(|entry| entry.step).collect();
+    let (there, here) = ((&outcome.trace, &outcome.stop), (steps, session.stopped()));
+    [format!("{:?}", made.differs), format!("{there:?}"), format!("{here:?}")]
+}
+
+// oracle: self (JOG against the automatic cycle): a switch that changes what one of them does and not the other is told
+// with one of its values
+#[test]
+fn a_switch_that_only_one_obeys_is_told() {
+    let mut setup = machine(&mut Noise::new(3), 1.0, Plane::G17);
+    setup.control.frames.values_mut().for_each(|frame| frame.rotation = Rpy([0.0, 0.0, 30.0]));
+    setup.control.activate(1);
+    let near: &[(&str, &str)] = &[("axis", "Z"), ("direction", "-"), ("zo", "G54")];
+    let hole: &[(&str, &str)] = &[("diameter", "40"), ("zo", "G54")];
+    let places = [
+        ("set_edge", Some(BLOCK), near, [0.0, 0.0, 20.0]),
+        ("set_edge", None, near, [0.0, 0.0, 20.0]), // there is no part
+        ("hole_1", Some(HOLE), hole, [1.0, -1.0, -10.0]),
+        ("cal_radius", Some(HOLE), &[("d", "40")][..], [1.0, -1.0, -10.0]),
+    ];
+    let (mut acts, mut untold) = (BTreeSet::new(), Vec::new());
+    for (mask, shape, values, start) in places {
+        let nothing = shape.is_none();
+        setup.workpiece.solids = shape.into_iter().map(|shape| Solid::new(shape, Mcs([0.0; 3]))).collect();
+        for other in [0.0, 18.0] {
+            setup.control.set("_WP[0,9]", other); // calibrated in this plane, or in another one
+            for switch in switches() {
+                let [off, on] = [0.0, 1.0].map(|value| {
+                    let mut setup = setup.clone();
+                    setup.control.set(switch.as_str(), value);
+                    done(&setup, mask, values, start)
+                });
+                let [told, there, here] = std::array::from_fn(|one| off[one] != on[one]);
+                if there != here {
+                    if !told {
+                        untold.push(format!("{mask} {nothing} {other} {switch}: there {there}, here {here}"));
+                    }
+                    acts.insert(switch);
+                }
+            }
+        }
+    }
+    assert_eq!(untold, Vec::<String>::new());
+    for switch in ["_CHBIT[2]", "_CHBIT[13]", "_CHBIT[15]", "_CHBIT[16]", "_CHBIT[17]", "_CBIT[13]", "_CBIT[16]"] {
+        assert!(acts.contains(switch), "{switch} acts nowhere here");
+    }
 }
 
 /// Data that both leave, on the same machine.

@@ -341,6 +341,37 @@ fn the_activation_screen_says_why_it_is_there() {
     assert_eq!(session.sim.control.active.coarse[0], -5.0);
 }
 
+// oracle: manual B:3100 (the difference between measured and desired angle), B:3092 (the screen comes up): an edge that
+// has its set angle demands no other position, so the second time nothing is written and no axis is asked for
+#[test]
+fn an_edge_that_is_aligned_moves_no_rotary_axis() {
+    let mut setup = block();
+    setup.control.set("_JM_I[4]", 1.0);
+    setup.workpiece.solids[0].errors.tilt[2] = 2.0;
+    let mut session = Session::new(&setup);
+    let measure = |session: &mut Session| {
+        let values = [("zo", "G54"), ("axis", "X"), ("ref_axis", "Y"), ("angle_offset", "C")];
+        open(session, "align_edge", &values);
+        for y in [20.0, 60.0] {
+            stand(session, [-25.0, y, -5.0]);
+            start(session);
+        }
+        session.press(Input::Calculate).unwrap();
+        (session.state(), session.sim.control.stored_frame(Store::Settable(1)).rotary[2].0)
+    };
+    let (state, first) = measure(&mut session);
+    assert_eq!(state, State::Activate);
+    assert_eq!(lines(&session), ["jog-line-rotary", "jog-line-start"]);
+    assert!((first.abs() - 2.0).abs() < 1e-6, "{first}");
+    start(&mut session);
+    session.press(Input::Back).unwrap();
+    let (state, second) = measure(&mut session);
+    assert_eq!(state, State::Activate);
+    assert_eq!(lines(&session), ["jog-line-aligned", "jog-line-start"]);
+    assert_eq!(session.activation().unwrap().fields(), ["activate"]);
+    assert!((second - first).abs() < 1e-9, "{first} {second}");
+}
+
 // oracle: self: no two rows of one state and key stand behind one that always counts
 #[test]
 fn no_row_is_hidden_by_another() {

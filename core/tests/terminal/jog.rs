@@ -32,14 +32,14 @@ fn a_session_prints_points_results_and_offsets() {
     let told = out(&output);
     assert!(output.status.success(), "{told}{}", err(&output));
     let at = |line: u32, text: &str| assert!(told.contains(&format!("{script}:{line}: {text}\n")), "{text}: {told}");
-    at(5, "P1: X 20, Y -3, Z -8");
-    at(11, "Measured X0 = 0 mm");
-    at(11, "Angle α = 0°");
-    at(11, "$P_UIFR[1,X,TR]: 10 -> 0 mm");
-    at(11, "$P_UIFR[1,X,FI]: 0.1 -> 0 mm");
+    at(5, "P1: X 20.0000, Y -3.0000, Z -8.0000");
+    at(11, "Measured X0 = 0.0000 mm");
+    at(11, "Angle α = 0.0000°");
+    at(11, "$P_UIFR[1,X,TR]: 10.0000 -> 0.0000 mm");
+    at(11, "$P_UIFR[1,X,FI]: 0.1000 -> 0.0000 mm");
     at(11, "G54 was corrected, but it is not active.");
-    at(18, "Measured Z0 = -5 mm"); // G54 is active from line 12 on
-    at(18, "$P_UIFR[1,Z,TR]: 5 -> 0 mm");
+    at(18, "Measured Z0 = -5.0000 mm"); // G54 is active from line 12 on
+    at(18, "$P_UIFR[1,Z,TR]: 5.0000 -> 0.0000 mm");
     assert!(told.ends_with("Active: G54\nThe mask Set edge is open.\n"), "{told}");
 }
 
@@ -66,10 +66,10 @@ fn the_example_in_docs_sets_the_hole() {
     let told = out(&output);
     assert!(output.status.success(), "{told}{}", err(&output));
     for text in [
-        "Measured diameter = 132.03 mm",
-        "$P_UIFR[1,X,TR]: 0 -> 180",
-        "$P_UIFR[1,Y,TR]: 0 -> 130",
-        "$P_UIFR[1,Z,TR]: 0 -> 30",
+        "Measured diameter = 132.0300 mm",
+        "$P_UIFR[1,X,TR]: 0.0000 -> 180.0000",
+        "$P_UIFR[1,Y,TR]: 0.0000 -> 130.0000",
+        "$P_UIFR[1,Z,TR]: 0.0000 -> 30.0000",
     ] {
         assert!(told.contains(text), "{text}: {told}");
     }
@@ -102,6 +102,34 @@ fn wrong_lines_alarms_and_refused_keys_end_with_their_status() {
         assert_eq!(output.status.code(), Some(status), "{name}: {out}{err}");
         assert!((out + &err).contains(told), "{name}: {told}");
     }
+}
+
+// oracle: hand: lines that say something behind the one that is refused, comments and empty lines not counted
+#[test]
+fn what_was_left_out_is_told() {
+    let script = "mask set_edge\ncalculate ; not here\n\n; the rest\nstart\nreset\n<<\n";
+    let told = |more: &[&str]| {
+        let (_, output) = jog("left.jog", script, more);
+        assert_eq!(output.status.code(), Some(1), "{more:?}");
+        out(&output)
+    };
+    let left = "The session ends at line 2. 3 further lines of the script were not carried out.\n";
+    assert!(told(&[]).contains(&format!("\n{left}")), "{}", told(&[]));
+    assert!(told(&["--as-program"]).contains(&format!("; {left}")), "{}", told(&["--as-program"]));
+    let json: serde_json::Value = serde_json::from_str(&told(&["--json"])).unwrap();
+    assert_eq!(json["left"], 3);
+    let (_, output) = jog("last.jog", "mask set_edge\ncalculate\n", &[]);
+    assert!(!out(&output).contains("The session ends"), "{}", out(&output));
+}
+
+// oracle: manual B:3826-3846, B:3880-3883: four decimals of mm and degrees, five of inches (specification, P-UNITS)
+#[test]
+fn figures_have_the_decimals_of_the_control() {
+    let inch = SETUP.replacen("\"sinumerik\",", "\"sinumerik\", \"units\": \"inch\",", 1);
+    let script = file("decimals.jog", CORNER.as_bytes());
+    let told = out(&probewright(&["jog", &script, "--setup", &file("inches.json", inch.as_bytes())]));
+    assert!(told.contains("Measured X0 = 0.0000 mm\n"), "{told}");
+    assert!(told.contains("$P_UIFR[1,X,TR]: 0.39370 -> 0.00000 inch\n"), "{told}");
 }
 
 // oracle: hand
@@ -148,8 +176,11 @@ fn masks_are_listed_with_what_their_fields_take() {
 fn what_the_next_key_would_do_is_told() {
     let script = CORNER.strip_suffix("start\n").unwrap();
     let told = out(&jog("ahead.jog", script, &["--what-if"]).1);
-    assert!(told.contains("\nNC start would\n  touch at X 40, Y 40, Z "), "{told}");
-    assert!(told.contains("\n  show Measured Z0 = -5 mm\n  write $P_UIFR[1,Z,TR]: 5 → 0 mm\n"), "{told}");
+    assert!(told.contains("\nNC start would\n  touch at X 40.0000, Y 40.0000, Z "), "{told}");
+    assert!(
+        told.contains("\n  show Measured Z0 = -5.0000 mm\n  write $P_UIFR[1,Z,TR]: 5.0000 → 0.0000 mm\n"),
+        "{told}"
+    );
     assert!(!out(&jog("ahead.jog", script, &[]).1).contains("NC start would"));
     let told = out(&jog("ahead.jog", "mask set_edge\nmove X-200 Z-8\n", &["--what-if"]).1);
     assert!(told.contains("NC start would\n  raise alarm 61301: "), "{told}");

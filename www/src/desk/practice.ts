@@ -77,7 +77,7 @@ function beginning({ seen }: JogState): string[] {
 
 /** What opens a mask of a call, by the other version where this one has no such mask. */
 function opening(mask: string, lines: string[], { seen }: JogState): string[] {
-  const masks = seen?.areas.flatMap(area => area.functions.flatMap(one => one.masks)) ?? [];
+  const masks = seen?.areas.flatMap(area => area.masks) ?? [];
   const other = seen?.machine.versions.find(one => !one.used);
   return masks.some(one => one.name === mask) || !other ? lines : [other.line, ...lines];
 }
@@ -135,7 +135,7 @@ export function createPractice(store: Store, core: () => ProgramCore | null): Pr
       const found = core()?.approach({ practice: requestOf(jog), at, normal });
       if (found?.line) press(found.line, FACE);
       else if (found?.refused)
-        set({ refused: { line: jog.lines.length + 1, message: found.refused, field: FACE, text: "" } });
+        set({ refused: { line: jog.lines.length + 1, message: found.refused, field: FACE, text: "", left: 0 } });
     },
     open({ name, piece }) {
       set({ told: [] });
@@ -158,7 +158,7 @@ export function createPractice(store: Store, core: () => ProgramCore | null): Pr
     async take(file) {
       const reader = core();
       const text = reader ? await readText(file, reader) : "";
-      if (typeof text !== "string") return set({ refused: { field: "", text: "", line: 0, message: text } });
+      if (typeof text !== "string") return set({ refused: { field: "", text: "", line: 0, message: text, left: 0 } });
       const laid: Record<string, string | undefined> = LAID.exec(text)?.groups ?? {};
       const { seed, x, y, z, tilt, size } = laid;
       const number = (value: string | undefined): number => parseNumber(value ?? "") ?? 0;
@@ -171,13 +171,17 @@ export function createPractice(store: Store, core: () => ProgramCore | null): Pr
         size: number(size),
       };
       const known = PIECE.exec(text)?.groups?.piece;
-      const pieces = store.state.jog.seen?.areas.flatMap(area => area.functions.flatMap(one => one.masks)) ?? [];
+      const pieces = store.state.jog.seen?.areas.flatMap(area => area.masks) ?? [];
       const piece = pieces.find(one => one.piece === known)?.piece ?? null;
-      const lines = text
-        .split(/\r\n?|\n/)
-        .map(line => line.replace(/[;#].*$/, "").trim())
-        .filter(line => line);
+      const written = text.split(/\r\n?|\n/).map((line, place) => ({
+        line: line.replace(/[;#].*$/, "").trim(),
+        number: place + 1,
+      }));
+      const says = written.filter(({ line }) => line);
+      const lines = says.map(({ line }) => line);
       carryOut({ lines, seed: seed ? Number(seed) : null, part, piece, revealed: !seed });
+      const { refused } = store.state.jog;
+      if (refused) set({ refused: { ...refused, line: says[refused.line - 1]?.number ?? refused.line } });
     },
     call(asked) {
       const found = core()?.asMask(asked);

@@ -100,7 +100,7 @@ export function createHand(root: HTMLElement, practice: Practice, stop: AbortSig
           <tr>
             <th></th>
             <th scope="col">${seen.machine.offsets.find(one => one.used)?.name}</th>
-            <th scope="col">${t("practice-mcs")}</th>
+            <th scope="col">${t("frame-machine")}</th>
           </tr>
         </thead>
         <tbody>
@@ -108,8 +108,8 @@ export function createHand(root: HTMLElement, practice: Practice, stop: AbortSig
             (axis, place) => html`
               <tr>
                 <th scope="row">${axis}</th>
-                <td class="jog-position" data-position=${axis}>${fixed(seen.machine.wcs[place] ?? 0, 3)}</td>
-                <td>${fixed(seen.machine.mcs[place] ?? 0, 3)}</td>
+                <td class="jog-position" data-position=${axis}>${fixed(seen.machine.wcs[place] ?? 0)}</td>
+                <td>${fixed(seen.machine.mcs[place] ?? 0)}</td>
               </tr>
             `,
           )}

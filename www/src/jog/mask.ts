@@ -5,7 +5,7 @@ import { live } from "lit-html/directives/live.js";
 import type { Practice } from "../desk/practice";
 import { glossPart } from "../glossary";
 import { iconPart } from "../icons";
-import { fixed, plain } from "../numbers";
+import { plain } from "../numbers";
 import type { JogState, State } from "../state/state";
 import { hasHelp, helpWords, say, t } from "../texts";
 import { unlessTyping } from "../unless-typing";
@@ -19,7 +19,7 @@ import type {
   PracticeView,
   Raised,
 } from "../wire";
-import { figureText } from "./figures";
+import { figureText, placeText, writtenText } from "./figures";
 import { asProgram, type Insert } from "./program";
 
 /** What NC start is in a script. */
@@ -42,9 +42,9 @@ export function createMask(root: HTMLElement, practice: Practice, leads: Insert)
 /** What has the focus when a mask is opened, or was left. */
 function first(root: HTMLElement, { areas, mask }: PracticeView, left: string): HTMLElement | null {
   if (mask) return root.querySelector(".jog-fields :is(select, input)");
-  const all = areas.flatMap(area => area.functions);
-  const before = all.find(one => one.masks.some(({ name }) => name === left));
-  return root.querySelector(`[data-function="${before?.name ?? all[0]?.name}"]`);
+  const all = areas.flatMap(area => area.masks);
+  const before = all.find(({ name }) => name === left);
+  return root.querySelector(`[data-mask="${(before ?? all[0])?.name}"]`);
 }
 
 const noted = (note: Message): TemplateResult =>
@@ -83,21 +83,16 @@ function menu(areas: readonly PracticeArea[], practice: Practice): TemplateResul
   return html`
     <div class="jog-areas">
       ${areas.map(
-        ({ label, functions }) => html`
+        ({ label, masks }) => html`
           <div class="jog-area" role="group" aria-label=${say(label)}>
             <h4>${say(label)}</h4>
-            ${functions.map(({ name, masks }) => {
-              const [first] = masks;
-              return html`
-                <button
-                  type="button"
-                  data-function=${name}
-                  @click=${() => first && practice.open(first)}
-                >
-                  ${masks.map(one => say(one.label)).join(" / ")}
+            ${masks.map(
+              mask => html`
+                <button type="button" data-mask=${mask.name} @click=${() => practice.open(mask)}>
+                  ${say(mask.label)}
                 </button>
-              `;
-            })}
+              `,
+            )}
           </div>
         `,
       )}
@@ -106,26 +101,7 @@ function menu(areas: readonly PracticeArea[], practice: Practice): TemplateResul
 }
 
 function opened(jog: JogState, seen: PracticeView, mask: PracticeMask, practice: Practice): TemplateResult {
-  const siblings = seen.areas
-    .flatMap(area => area.functions)
-    .find(one => one.masks.some(({ name }) => name === mask.name));
-  const others = siblings?.masks ?? [];
   return html`
-    ${
-      others.length > 1
-        ? html`<div class="segments" role="group" aria-label=${t("practice-which")}>
-            ${others.map(
-              one => html`<button
-                type="button"
-                aria-pressed=${String(one.name === mask.name)}
-                @click=${() => one.name !== mask.name && practice.open(one)}
-              >
-                ${say(one.label)}
-              </button>`,
-            )}
-          </div>`
-        : nothing
-    }
     ${toDo(mask, practice)}
     ${seen.activation ? activation(jog, seen, practice) : fields(jog, mask.fields, practice)}
     ${seen.points.length ? softkeys(seen, practice) : nothing}
@@ -184,13 +160,10 @@ function ahead({ ahead: next, raised: now }: PracticeView): TemplateResult | typ
     activates,
     hidden,
   } = next;
-  const place = (at: readonly number[]): string =>
-    `${at.map((value, axis) => `${"XYZ".charAt(axis)} ${fixed(value, 3)}`).join(", ")} ${t("unit-mm")}`;
   const item = (kind: string, text: string): { kind: string; text: string } => ({ kind, text });
-  const ofUnit = (name: string): string => (name ? ` ${t(`unit-${name}`)}` : "");
   const items = [
     ...notes.map(note => item("note", say(note))),
-    ...touches.map(at => item("touch", t("jog-ahead-touch", { place: place(at) }))),
+    ...touches.map(at => item("touch", t("jog-ahead-touch", { place: placeText(at) }))),
     ...(point ? [item("store", t(waits ? "jog-ahead-hold" : "jog-ahead-store", { point }))] : []),
     ...(why ? [item("wrong", reason(why))] : []),
     ...(refused ? [item("wrong", t("jog-ahead-refuse", { text: say(refused) }))] : []),
@@ -198,10 +171,7 @@ function ahead({ ahead: next, raised: now }: PracticeView): TemplateResult | typ
       item("show", t("jog-ahead-show", { label: say(label), value: figureText({ axis: "", value, unit }) })),
     ),
     ...changes.map(({ label, before, after, unit }) =>
-      item(
-        "write",
-        t("jog-ahead-write", { label: say(label), before: plain(before, 3), after: plain(after, 3) + ofUnit(unit) }),
-      ),
+      item("write", t("jog-ahead-write", { label: say(label), ...writtenText(before, after, unit) })),
     ),
     ...(hidden?.shows ?? []).map(label => item("show", t("jog-ahead-shown", { label: say(label) }))),
     ...(hidden?.corrects ? [item("write", t("jog-ahead-corrects", { offset: hidden.corrects }))] : []),
@@ -362,9 +332,12 @@ function keys(jog: JogState, seen: PracticeView, practice: Practice): TemplateRe
   `;
 }
 
-function refusal({ message, hint }: NonNullable<JogState["refused"]>): TemplateResult {
+function refusal({ message, hint, left, line }: NonNullable<JogState["refused"]>): TemplateResult {
   return html`<p class="jog-told jog-refused" role="alert">
-    ${iconPart("alert")}<span>${say(message)} ${hint ? say(hint) : ""}</span>
+    ${iconPart("alert")}
+    <span>
+      ${say(message)} ${hint ? say(hint) : ""} ${left ? t("jog-left-out", { line, lines: left }) : ""}
+    </span>
   </p>`;
 }
 
@@ -434,14 +407,15 @@ function written({ changes }: PracticeView): TemplateResult | typeof nothing {
     <table class="jog-written">
       <caption>${t("practice-written")}</caption>
       <tbody>
-        ${changes.map(
-          ({ label, before, after, unit }) => html`
+        ${changes.map(({ label, before, after, unit }) => {
+          const told = writtenText(before, after, unit);
+          return html`
             <tr>
               <th scope="row">${say(label)}</th>
-              <td class="figure">${plain(before, 3)} → ${plain(after, 3)} ${unit ? t(`unit-${unit}`) : ""}</td>
+              <td class="figure">${told.before} → ${told.after}</td>
             </tr>
-          `,
-        )}
+          `;
+        })}
       </tbody>
     </table>
   `;

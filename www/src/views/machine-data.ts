@@ -279,6 +279,7 @@ function datumRow(datum: MachineField, value: string, problem: string, edit: (va
       : html`<input
           id=${id}
           class="figure"
+          data-unit=${unitText(datum.unit) || nothing}
           type="text"
           autocomplete="off"
           spellcheck="false"

@@ -104,8 +104,11 @@ function tableOf({ measured, corrected, memories = [] }: SeriesCall, adds: boole
         ${columns.map(({ head, unit }) => html`<th scope="col">${head}${unitBehind(unit)}</th>`)}</tr></thead>
       <tbody>${Array.from(
         { length: rows },
-        (_, part) => html`<tr><th scope="row">${part + 1}</th>
-          ${columns.map(({ unit, values }) => html`<td>${cell(values[part], unit)}</td>`)}</tr>`,
+        (_, part) => html`<tr><th scope="row" data-label=${t("runs-part")}>${part + 1}</th>
+          ${columns.map(
+            ({ head, unit, values }) =>
+              html`<td data-label=${head + unitBehind(unit)}>${cell(values[part], unit)}</td>`,
+          )}</tr>`,
       )}</tbody>
     </table>
   </div>`;

@@ -7,8 +7,8 @@ mod view;
 pub use program::{PracticeCall, PracticeCallRequest, PracticeProgram, as_mask, as_program, call_text, jog_program};
 pub use view::{
     PracticeActivation, PracticeApproach, PracticeArea, PracticeChoice, PracticeDeviation, PracticeFace, PracticeField,
-    PracticeFigure, PracticeFunction, PracticeKeys, PracticeMachine, PracticeMask, PracticePoint, PracticeRefusal,
-    PracticeRequest, PracticeShow, PracticeUse, PracticeView, PracticeWord,
+    PracticeFigure, PracticeKeys, PracticeMachine, PracticeMask, PracticePoint, PracticeRefusal, PracticeRequest,
+    PracticeShow, PracticeUse, PracticeView, PracticeWord,
 };
 
 use super::Error;
@@ -24,9 +24,9 @@ use crate::geometry::{Dir, Mcs, Rpy};
 use crate::jog::approach;
 use crate::jog::chance::Truth;
 use crate::jog::practice::{self, Piece};
-use crate::jog::script::{Command, Line, Wrong, read};
+use crate::jog::script::{Command, Line, Wrong, behind, read};
 use crate::jog::shadow::{Deviation, Shadow};
-use crate::jog::{Session, measures};
+use crate::jog::{Session, help, measures};
 use crate::machine::{MotionKind, Setup, Step};
 use crate::message::Message;
 use crate::refused::Path;
@@ -89,17 +89,20 @@ fn begun(asked: PracticeRequest) -> Result<(Stands, Truth), Error> {
 
 /// A session as far as its lines can be carried out, and why not all of them.
 fn carried_out(asked: PracticeRequest) -> Result<(Stands, Course, Option<PracticeRefusal>), Error> {
-    let (lines, wrong) = legible(&asked.script);
+    let script = asked.script.clone();
+    let (lines, wrong) = legible(&script);
     let (mut stands, truth) = begun(asked)?;
     let mut course = Course::new(&mut stands.setup, truth);
-    let mut refused = wrong.map(|Wrong { line, message, hint }| PracticeRefusal { line, message, hint: Some(hint) });
+    let mut refused = wrong.map(|Wrong { line, message, hint }| (line, message, Some(hint)));
     for line in &lines {
         if let Err(message) = course.carry_out(line) {
-            refused = Some(PracticeRefusal { line: line.number, message, hint: None });
+            let hint = help::cure_of(&message, course.session.mask());
+            refused = Some((line.number, message, hint));
             break;
         }
     }
-    Ok((stands, course, refused))
+    let refusal = |(line, message, hint)| PracticeRefusal { left: behind(&script, line), line, message, hint };
+    Ok((stands, course, refused.map(refusal)))
 }
 
 /// The machine on which is practised.

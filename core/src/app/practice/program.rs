@@ -1,7 +1,7 @@
 //! What a mask means as a program, and a call of a program as its mask.
 
 use super::super::{Error, choose_units, cycle, start};
-use super::{Machine, Piece, PracticeChoice, PracticeRequest, Stands, begun, legible, practice};
+use super::{Machine, Piece, PracticeChoice, PracticeRefusal, PracticeRequest, Stands, begun, legible, practice};
 use crate::app::jog::{JogWrong, act};
 use crate::control::{AXES, Control, Plane, UnitFunction};
 use crate::dialect::Dialect;
@@ -11,8 +11,8 @@ use crate::jog::chance;
 use crate::jog::counterpart::{Call, call, masked};
 use crate::jog::mask::key;
 use crate::jog::masks;
-use crate::jog::script::{Line, read};
-use crate::jog::{Session, measures};
+use crate::jog::script::{Line, behind, read};
+use crate::jog::{Session, help, measures};
 use crate::machine::Setup;
 use crate::message::Message;
 use crate::program::write::snippet;
@@ -31,6 +31,9 @@ pub struct PracticeProgram {
     pub values: Typed,
     /// What is different; why there is none.
     pub told: Vec<Message>,
+    /// The line with which the session ended before its end.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub refused: Option<PracticeRefusal>,
 }
 
 /// A call that is to be practised.
@@ -71,7 +74,8 @@ pub fn as_program(asked: PracticeRequest) -> Result<PracticeProgram, Error> {
     let (lines, _) = legible(&asked.script);
     let (Stands { mut setup, .. }, truth) = begun(asked)?;
     truth.put(&mut setup);
-    Ok(meant(&carried_out(&setup, &lines)))
+    let (session, _) = carried_out(&setup, &lines);
+    Ok(meant(&session))
 }
 
 /// What the mask means as a program that is open once a script is carried out on a machine; with a seed the part lies
@@ -88,18 +92,25 @@ pub fn jog_program(script: &str, setup: &Setup, seed: Option<u64>) -> Result<Pra
     if let Some(seed) = seed {
         chance::put(&mut setup, seed);
     }
-    Ok(meant(&carried_out(&setup, &lines)))
+    let (session, refused) = carried_out(&setup, &lines);
+    let refusal = |(line, message): (u32, Message)| PracticeRefusal {
+        left: behind(script, line),
+        hint: help::cure_of(&message, session.mask()),
+        line,
+        message,
+    };
+    Ok(PracticeProgram { refused: refused.map(refusal), ..meant(&session) })
 }
 
-/// A session as far as its lines do something.
-fn carried_out(setup: &Setup, lines: &[Line]) -> Session {
+/// A session as far as its lines do something, and the line that does nothing.
+fn carried_out(setup: &Setup, lines: &[Line]) -> (Session, Option<(u32, Message)>) {
     let mut session = Session::new(setup);
     for line in lines {
-        if act(&mut session, &line.command).is_err() {
-            break;
+        if let Err(message) = act(&mut session, &line.command) {
+            return (session, Some((line.number, message)));
         }
     }
-    session
+    (session, None)
 }
 
 fn meant(session: &Session) -> PracticeProgram {
@@ -109,8 +120,12 @@ fn meant(session: &Session) -> PracticeProgram {
             cycle: Some(call.cycle.name),
             values: call.values,
             told: call.differs,
+            refused: None,
         },
-        Err(why) => PracticeProgram { text: String::new(), cycle: None, values: Typed::new(), told: vec![why] },
+        Err(why) => {
+            let told = vec![why];
+            PracticeProgram { text: String::new(), cycle: None, values: Typed::new(), told, refused: None }
+        }
     }
 }
 

@@ -1,9 +1,8 @@
 //! What a session shows: functions, mask, activation screen, softkeys, and the machine under the hand.
 
 use super::view::{
-    PracticeActivation, PracticeArea, PracticeChoice, PracticeDeviation, PracticeField, PracticeFigure,
-    PracticeFunction, PracticeKeys, PracticeMachine, PracticeMask, PracticePoint, PracticeShow, PracticeUse,
-    PracticeWord,
+    PracticeActivation, PracticeArea, PracticeChoice, PracticeDeviation, PracticeField, PracticeFigure, PracticeKeys,
+    PracticeMachine, PracticeMask, PracticePoint, PracticeShow, PracticeUse, PracticeWord,
 };
 use crate::app::help::{HelpSection, HelpText};
 use crate::app::jog::stored;
@@ -11,7 +10,7 @@ use crate::app::whereabouts_in_jog;
 use crate::control::{AXES, Control, OLDER_JOG, Plane, ROTARY, Store};
 use crate::jog::activation::{Activation, choices};
 use crate::jog::help::{self, Line};
-use crate::jog::mask::{Area, Field, Function, Kind, Mask, Show, key};
+use crate::jog::mask::{Field, Kind, Mask, Show, key};
 use crate::jog::practice::piece;
 use crate::jog::shadow::Deviation;
 use crate::jog::states::Key;
@@ -20,29 +19,19 @@ use crate::jog::{Session, masks, settings};
 use crate::manual::Cited;
 use crate::message::Message;
 
-/// The functions under their softkeys.
+/// The masks under their softkeys.
 pub(super) fn areas(control: &Control) -> Vec<PracticeArea> {
-    let mut areas: Vec<(Area, PracticeArea)> = Vec::new();
-    for function in masks::offered(control) {
-        let entry = listed(function);
-        match areas.iter_mut().find(|(area, _)| *area == function.area) {
-            Some((_, area)) => area.functions.push(entry),
-            None => {
-                let label = Message::new(function.area.key());
-                areas.push((function.area, PracticeArea { label, functions: vec![entry] }));
-            }
-        }
-    }
-    areas.into_iter().map(|(_, area)| area).collect()
-}
-
-fn listed(function: &Function) -> PracticeFunction {
     let one = |mask: &Mask| PracticeChoice {
         name: mask.name,
         label: Message::new(key("mask", mask.name)),
         piece: piece(mask),
     };
-    PracticeFunction { name: function.name, masks: function.masks.iter().map(one).collect() }
+    let menu = masks::menu(masks::offered(control)).into_iter();
+    menu.map(|(area, masks)| PracticeArea {
+        label: Message::new(area.key()),
+        masks: masks.into_iter().map(one).collect(),
+    })
+    .collect()
 }
 
 pub(super) fn shown(session: &Session, mask: &'static Mask) -> PracticeMask {

@@ -113,17 +113,7 @@ pub struct PracticeView {
 pub struct PracticeArea {
     /// What it says.
     pub label: Message,
-    /// Its functions.
-    pub functions: Vec<PracticeFunction>,
-}
-
-/// A function.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
-pub struct PracticeFunction {
-    /// Name.
-    pub name: &'static str,
-    /// Its masks.
+    /// The masks that it offers.
     pub masks: Vec<PracticeChoice>,
 }
 
@@ -150,6 +140,8 @@ pub struct PracticeRefusal {
     /// What helps.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub hint: Option<Message>,
+    /// Lines behind it, which were not carried out either.
+    pub left: u32,
 }
 
 /// A mask with its values.

@@ -3,11 +3,12 @@
 use crate::file;
 use crate::file::Problem;
 use crate::record;
-use crate::run::{changed, with_unit};
-use probewright_core::app::{self, Change, JogAhead, JogLine, JogResult, JogView, JogWrong, Raised, Record};
+use probewright_core::app::{
+    self, Change, JogAhead, JogLine, JogResult, JogView, JogWrong, PracticeRefusal, Raised, Record,
+};
 use probewright_core::control::{AXES, Control, OLDER_JOG, delivery};
 use probewright_core::dialect::Dialect;
-use probewright_core::jog::mask::{Field, Mask, key};
+use probewright_core::jog::mask::{Field, Mask, decimals, key};
 use probewright_core::jog::values::{Values, words as choices};
 use probewright_core::jog::{State, masks};
 use probewright_core::json;
@@ -67,7 +68,7 @@ pub fn jog(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Result<
     Ok(if failed { ExitCode::FAILURE } else { ExitCode::SUCCESS })
 }
 
-/// What the mask means as a program that is open in the end; 1 when it means none.
+/// What the mask means as a program that is open in the end; 1 when it means none, or a line is refused.
 fn program(
     script: &Path,
     setup: &Setup,
@@ -79,13 +80,18 @@ fn program(
     let found = found.map_err(|wrong| told(script, wrong, words))?;
     if arguments.json {
         file::print_json(json::document(&found), words, out)?;
-    } else if found.text.is_empty() {
-        found.told.iter().try_for_each(|message| writeln!(out, "{}", words.text(message)))?;
     } else {
-        found.told.iter().try_for_each(|message| writeln!(out, "; {}", words.text(message)))?;
+        let comment = if found.text.is_empty() { "" } else { "; " };
+        if let Some(PracticeRefusal { line, message, hint, left }) = &found.refused {
+            let why = with_hint(message, hint.as_ref(), words);
+            writeln!(out, "{comment}{}:{line}: {why}", script.display())?;
+            left_out(*line, *left).iter().try_for_each(|message| writeln!(out, "{comment}{}", words.text(message)))?;
+        }
+        found.told.iter().try_for_each(|message| writeln!(out, "{comment}{}", words.text(message)))?;
         write!(out, "{}", found.text)?;
     }
-    Ok(if found.text.is_empty() { ExitCode::FAILURE } else { ExitCode::SUCCESS })
+    let failed = found.text.is_empty() || found.refused.is_some();
+    Ok(if failed { ExitCode::FAILURE } else { ExitCode::SUCCESS })
 }
 
 /// Why a script is not carried out, with its line and what helps.
@@ -108,6 +114,8 @@ fn print(script: &Path, view: &JogView, words: &Words, out: &mut dyn Write) -> s
             writeln!(out, "{}:{}: {text}", script.display(), line.line)?;
         }
     }
+    let last = view.lines.last().map_or(0, |line| line.line);
+    left_out(last, view.left).iter().try_for_each(|message| writeln!(out, "{}", words.text(message)))?;
     if let Some(truth) = view.truth {
         let ([x, y, z], [a, b, c]) = (truth.shift, truth.tilt.0);
         let numbers = [("x", x), ("y", y), ("z", z), ("a", a), ("b", b), ("c", c), ("size", truth.size)];
@@ -155,7 +163,7 @@ fn lines(line: &JogLine, words: &Words) -> Vec<String> {
             _ => Vec::new(),
         };
         let place: Vec<String> =
-            numbers.into_iter().map(|(axis, value)| format!("{axis} {}", rounded(value))).collect();
+            numbers.into_iter().map(|(axis, value)| format!("{axis} {}", figure(value, "mm"))).collect();
         let message = Message::new("jog-point").text("point", &point.name).text("place", place.join(", "));
         told.push(words.text(&message));
     }
@@ -163,27 +171,58 @@ fn lines(line: &JogLine, words: &Words) -> Vec<String> {
         let (label, value) = shown(result, words);
         format!("{label} = {value}")
     }));
-    told.extend(line.changes.iter().map(changed));
+    told.extend(line.changes.iter().map(|Change { name, before, after, unit, .. }| {
+        format!("{name}: {} -> {}", figure(*before, unit), with_unit(*after, unit))
+    }));
     told.extend(line.notes.iter().chain(&line.screen).map(|message| words.text(message)));
     if let Some(raised) = &line.raised {
         let code = Message::new("terminal-raised").text("alarm", &raised.code);
         let code = if raised.code.is_empty() { String::new() } else { words.text(&code) + ": " };
         told.push(format!("{code}{}", reason(raised, words)));
     }
-    told.extend(line.refused.iter().map(|message| words.text(message)));
+    told.extend(line.refused.iter().map(|message| with_hint(message, line.hint.as_ref(), words)));
     told
 }
 
 /// What is raised, and what helps.
 fn reason(raised: &Raised, words: &Words) -> String {
-    let hint = raised.hint.as_ref().map_or(String::new(), |hint| format!(" {}", words.text(hint)));
-    words.text(&raised.message) + &hint
+    with_hint(&raised.message, raised.hint.as_ref(), words)
+}
+
+fn with_hint(message: &Message, hint: Option<&Message>, words: &Words) -> String {
+    let hint = hint.map_or(String::new(), |hint| format!(" {}", words.text(hint)));
+    words.text(message) + &hint
+}
+
+/// That lines of the script were left out behind one.
+fn left_out(line: u32, lines: u32) -> Option<Message> {
+    let message = || Message::new("jog-left-out").number("line", line.into()).number("lines", lines.into());
+    (lines > 0).then(message)
 }
 
 /// A result with its unit.
 fn shown(result: &JogResult, words: &Words) -> (String, String) {
-    let unit = if result.unit == "deg" { "°" } else { " mm" };
-    (words.text(&result.label), format!("{}{unit}", rounded(result.value)))
+    (words.text(&result.label), with_unit(result.value, result.unit))
+}
+
+/// A value with the decimals of the control.
+fn figure(value: f64, unit: &str) -> String {
+    let Some(digits) = decimals(unit) else { return rounded(value).to_string() };
+    let text = format!("{value:.digits$}");
+    if text.trim_start_matches('-').trim_matches(['0', '.']).is_empty() {
+        text.trim_start_matches('-').to_owned()
+    } else {
+        text
+    }
+}
+
+fn with_unit(value: f64, unit: &str) -> String {
+    let number = figure(value, unit);
+    match unit {
+        "" => number,
+        "deg" => format!("{number}°"),
+        _ => format!("{number} {unit}"),
+    }
 }
 
 /// What the next key would do, a line a thing.
@@ -191,7 +230,7 @@ fn told_ahead(ahead: Option<&JogAhead>, words: &Words) -> Vec<String> {
     let Some(ahead) = ahead else { return vec![words.key("jog-ahead-none")] };
     let mut told: Vec<Message> = ahead.notes.clone();
     for at in &ahead.touches {
-        let place = AXES.iter().zip(at).map(|(axis, value)| format!("{axis} {}", rounded(*value)));
+        let place = AXES.iter().zip(at).map(|(axis, value)| format!("{axis} {}", figure(*value, "mm")));
         told.push(Message::new("jog-ahead-touch").text("place", place.collect::<Vec<_>>().join(", ")));
     }
     let stores = if ahead.waits { "jog-ahead-hold" } else { "jog-ahead-store" };
@@ -206,7 +245,7 @@ fn told_ahead(ahead: Option<&JogAhead>, words: &Words) -> Vec<String> {
         Message::new("jog-ahead-show").text("label", label).text("value", value)
     }));
     told.extend(ahead.changes.iter().map(|Change { name, before, after, unit, .. }| {
-        let [before, after] = [rounded(*before).to_string(), with_unit(*after, unit)];
+        let [before, after] = [figure(*before, unit), with_unit(*after, unit)];
         Message::new("jog-ahead-write").text("label", name).text("before", before).text("after", after)
     }));
     if !ahead.results.is_empty() && ahead.changes.is_empty() {

@@ -3,6 +3,7 @@
 
 mod back;
 mod corner;
+mod data;
 mod lay;
 mod value;
 
@@ -16,10 +17,9 @@ use super::settings::{self, Settings};
 use super::stylus::Stylus;
 use super::values::Values;
 use crate::catalogue;
-use crate::catalogue::sinumerik::measuring_block::follow;
 use crate::control::{Control, Store};
 use crate::entry::{Cycle, Typed};
-use crate::geometry::{Mcs, TOLERANCE, Wcs};
+use crate::geometry::{Mcs, Wcs};
 use crate::message::Message;
 use lay::{Laid, lay};
 
@@ -171,7 +171,7 @@ fn made(told: &Told, counterpart: &Counterpart, laid: &Laid) -> Result<Call, Mes
 }
 
 impl Told<'_> {
-    /// What is different: the way to the points, then what is written.
+    /// What is different: the way to the points, then what is written, then the data that both take.
     fn differs(&self, counterpart: &Counterpart, laid: &Laid) -> Vec<Message> {
         let path = self.control.number("E_MESS_D_M");
         let reach = self.value(Source::Reach, laid).unwrap_or(path);
@@ -179,26 +179,15 @@ impl Told<'_> {
         let one = |key: &&'static str| Message::new(*key).number("path", path).number("reach", reach);
         let mut all: Vec<Message> = counterpart.differs.iter().map(one).collect();
         all.extend(self.written(counterpart).into_iter().map(Message::new));
+        all.extend(self.data());
         all
-    }
-
-    /// Whether the spindle follows a turned WCS in JOG and not in the cycle, or the other way round (B:13973-13987).
-    fn turns_otherwise(&self) -> bool {
-        let settings = Settings::of(&self.control);
-        let turned = follow(&self.control).is_some_and(|angle| (angle - self.control.spindle).0.abs() > TOLERANCE);
-        !settings.probe.1 && turned && settings.follows != self.control.bit("_CHBIT[13]")
     }
 
     /// What is written elsewhere, or otherwise.
     fn written(&self, counterpart: &Counterpart) -> Vec<&'static str> {
-        if self.mask.task.of_tool() {
-            let measures = self.mask.task != Task::ToolProbe;
-            let alike = self.control.bit("_JM_B[0]") == self.control.bit("_CHBIT[3]");
-            return if measures && !alike { vec!["jog-differs-tool-memory"] } else { Vec::new() };
-        }
         let mut all = Vec::new();
-        if self.turns_otherwise() {
-            all.push("jog-differs-spindle");
+        if self.mask.task.of_tool() {
+            return all;
         }
         if counterpart.layout == Layout::Before && self.stylus().skew != [0.0; 2] {
             all.push("jog-differs-skew");

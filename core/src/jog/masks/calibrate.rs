@@ -2,11 +2,10 @@
 
 use super::shared::touching;
 use crate::jog::help::{before, corrects, measures, order, wrong};
-use crate::jog::mask::{Area, Function, Kind, Least, Mask, Task};
+use crate::jog::mask::{Function, Kind, Least, Mask, Task};
 
 pub(super) const LENGTH: Function = Function {
     name: "cal_length",
-    area: Area::Calibrate,
     masks: &[Mask {
         name: "cal_length",
         task: Task::Length,
@@ -26,7 +25,6 @@ pub(super) const LENGTH: Function = Function {
 
 pub(super) const RADIUS: Function = Function {
     name: "cal_radius",
-    area: Area::Calibrate,
     masks: &[Mask {
         name: "cal_radius",
         task: Task::Ring,

@@ -2,7 +2,7 @@
 
 use super::shared::{YES, hole_diameter, infeed, set_angle, spigot_diameter, turned_offset, writing, x0, y0};
 use crate::jog::help::{Line, before, corrects, measures, wrong};
-use crate::jog::mask::{Area, Element, Field, Function, Kind, Least, Mask, Show, Task};
+use crate::jog::mask::{Element, Field, Function, Kind, Least, Mask, Show, Task};
 
 const SHOWS: &[Show] =
     &[Show::Rotation, Show::Measuring, Show::Angle("alpha"), Show::Length("meas_x0"), Show::Length("meas_y0")];
@@ -99,18 +99,15 @@ const OF_FOUR: Several = Several {
 
 pub(super) const TWO: Function = Function {
     name: "centres_2",
-    area: Area::Hole,
     masks: &[centres("holes_2", true, 2, &OF_TWO), centres("spigots_2", false, 2, &OF_TWO)],
 };
 
 pub(super) const THREE: Function = Function {
     name: "centres_3",
-    area: Area::Hole,
     masks: &[centres("holes_3", true, 3, &OF_THREE), centres("spigots_3", false, 3, &OF_THREE)],
 };
 
 pub(super) const FOUR: Function = Function {
     name: "centres_4",
-    area: Area::Hole,
     masks: &[centres("holes_4", true, 4, &OF_FOUR), centres("spigots_4", false, 4, &OF_FOUR)],
 };

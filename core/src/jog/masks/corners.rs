@@ -2,7 +2,7 @@
 
 use super::shared::{touching, turned_offset, x0, y0};
 use crate::jog::help::{Line, before, corrects, measures, wrong};
-use crate::jog::mask::{Area, Field, Function, Kind, Mask, Show, Task};
+use crate::jog::mask::{Field, Function, Kind, Mask, Show, Task};
 
 const FIELDS: &[Field] = &[
     turned_offset("B:3192"),
@@ -25,7 +25,6 @@ const fn corner(name: &'static str, points: usize, help: &'static [Line], source
 
 pub(super) const RIGHT: Function = Function {
     name: "corner_right",
-    area: Area::Corner,
     masks: &[corner(
         "corner_right",
         3,
@@ -43,7 +42,6 @@ pub(super) const RIGHT: Function = Function {
 
 pub(super) const ANY: Function = Function {
     name: "corner_any",
-    area: Area::Corner,
     masks: &[corner(
         "corner_any",
         4,

@@ -2,11 +2,10 @@
 
 use super::shared::{axis, direction, direction_2, offset, set_angle, touching, turned_offset, writing, x0};
 use crate::jog::help::{before, corrects, measures, wrong};
-use crate::jog::mask::{Area, Function, Kind, Mask, Show, Task};
+use crate::jog::mask::{Function, Kind, Mask, Show, Task};
 
 pub(super) const SET: Function = Function {
     name: "set_edge",
-    area: Area::Edge,
     masks: &[Mask {
         name: "set_edge",
         task: Task::Edge,
@@ -27,7 +26,6 @@ pub(super) const SET: Function = Function {
 
 pub(super) const ALIGN: Function = Function {
     name: "align_edge",
-    area: Area::Edge,
     masks: &[Mask {
         name: "align_edge",
         task: Task::EdgeAngle,
@@ -57,7 +55,6 @@ pub(super) const ALIGN: Function = Function {
 
 pub(super) const DISTANCE: Function = Function {
     name: "distance",
-    area: Area::Edge,
     masks: &[Mask {
         name: "distance",
         task: Task::Distance,

@@ -2,7 +2,7 @@
 
 use super::shared::{hole_diameter, infeed, offset, spigot_diameter, touching, x0, y0};
 use crate::jog::help::{Line, before, corrects, measures, order, wrong};
-use crate::jog::mask::{Area, Element, Field, Function, Kind, Least, Mask, Show, Task};
+use crate::jog::mask::{Element, Field, Function, Kind, Least, Mask, Show, Task};
 
 /// Length in the first axis.
 const LENGTH: Field = touching("l", Kind::Length(Least::Above), "B:3343");
@@ -52,7 +52,6 @@ const LEANS: Line = wrong("jog-help-rect-wrong", "B:3319");
 
 pub(super) const POCKET: Function = Function {
     name: "pocket_rect",
-    area: Area::Hole,
     masks: &[element(
         "pocket_rect",
         false,
@@ -70,7 +69,6 @@ pub(super) const POCKET: Function = Function {
 
 pub(super) const HOLE: Function = Function {
     name: "hole_1",
-    area: Area::Hole,
     masks: &[element(
         "hole_1",
         true,
@@ -88,7 +86,6 @@ pub(super) const HOLE: Function = Function {
 
 pub(super) const RECTANGULAR_SPIGOT: Function = Function {
     name: "spigot_rect",
-    area: Area::Spigot,
     masks: &[element(
         "spigot_rect",
         false,
@@ -106,7 +103,6 @@ pub(super) const RECTANGULAR_SPIGOT: Function = Function {
 
 pub(super) const SPIGOT: Function = Function {
     name: "spigot_1",
-    area: Area::Spigot,
     masks: &[element(
         "spigot_1",
         true,

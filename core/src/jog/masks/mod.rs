@@ -11,7 +11,7 @@ mod plane;
 mod shared;
 mod tools;
 
-use super::mask::{Function, Mask};
+use super::mask::{Area, Function, Mask};
 use crate::control::{Control, OLDER_JOG};
 
 /// Every function, in the order of the softkeys.
@@ -31,9 +31,9 @@ pub static FUNCTIONS: &[Function] = &[
     plane::ALIGN,
     calibrate::LENGTH,
     calibrate::RADIUS,
-    tools::CALIBRATE,
     tools::LENGTH,
     tools::RADIUS,
+    tools::CALIBRATE,
 ];
 
 /// Every function up to measuring cycles SW 6.2; tools are measured alike.
@@ -44,14 +44,28 @@ pub static OLDER: &[Function] = &[
     older::SPIGOT,
     older::LENGTH,
     older::RADIUS,
-    tools::CALIBRATE,
     tools::LENGTH,
     tools::RADIUS,
+    tools::CALIBRATE,
 ];
 
 /// The functions that a control has.
 pub fn offered(control: &Control) -> &'static [Function] {
     if control.bit(OLDER_JOG) { OLDER } else { FUNCTIONS }
+}
+
+/// The softkeys of the vertical bar, and the masks that each of them offers, in their order. Holes and spigots are of
+/// one function and under two softkeys (B:3264-3268, B:3295-3299).
+pub fn menu(functions: &'static [Function]) -> Vec<(Area, Vec<&'static Mask>)> {
+    let mut menu: Vec<(Area, Vec<&Mask>)> = Vec::new();
+    for mask in functions.iter().flat_map(|function| function.masks) {
+        let area = mask.task.area();
+        match menu.iter_mut().find(|(known, _)| *known == area) {
+            Some((_, masks)) => masks.push(mask),
+            None => menu.push((area, vec![mask])),
+        }
+    }
+    menu
 }
 
 /// Every mask, those up to SW 6.2 last.

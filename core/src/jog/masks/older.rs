@@ -3,14 +3,13 @@
 
 use super::shared::{axis, direction, hole_diameter, infeed, offset, spigot_diameter, touching, turned_offset, x0, y0};
 use crate::jog::help::{before, corrects, measures, order, wrong};
-use crate::jog::mask::{Area, Element, Function, Kind, Least, Mask, Show, Task};
+use crate::jog::mask::{Element, Function, Kind, Least, Mask, Show, Task};
 
 const ROUND: &[Show] =
     &[Show::Translation, Show::Measuring, Show::Length("diameter"), Show::Length("meas_x0"), Show::Length("meas_y0")];
 
 pub(super) const EDGE: Function = Function {
     name: "old_edge",
-    area: Area::Edge,
     masks: &[Mask {
         name: "old_edge",
         task: Task::Edge,
@@ -31,7 +30,6 @@ pub(super) const EDGE: Function = Function {
 
 pub(super) const CORNER: Function = Function {
     name: "old_corner",
-    area: Area::Corner,
     masks: &[Mask {
         name: "old_corner",
         task: Task::Corner,
@@ -66,7 +64,6 @@ pub(super) const CORNER: Function = Function {
 
 pub(super) const HOLE: Function = Function {
     name: "old_hole",
-    area: Area::Hole,
     masks: &[Mask {
         name: "old_hole",
         task: Task::Element(Element { round: true, inside: true }),
@@ -85,7 +82,6 @@ pub(super) const HOLE: Function = Function {
 
 pub(super) const SPIGOT: Function = Function {
     name: "old_spigot",
-    area: Area::Spigot,
     masks: &[Mask {
         name: "old_spigot",
         task: Task::Element(Element { round: true, inside: false }),
@@ -104,7 +100,6 @@ pub(super) const SPIGOT: Function = Function {
 
 pub(super) const LENGTH: Function = Function {
     name: "old_cal_length",
-    area: Area::Calibrate,
     masks: &[Mask {
         name: "old_cal_length",
         task: Task::Length,
@@ -124,7 +119,6 @@ pub(super) const LENGTH: Function = Function {
 
 pub(super) const RADIUS: Function = Function {
     name: "old_cal_radius",
-    area: Area::Calibrate,
     masks: &[Mask {
         name: "old_cal_radius",
         task: Task::Ring,

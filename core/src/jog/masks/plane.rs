@@ -2,11 +2,10 @@
 
 use super::shared::turned_offset;
 use crate::jog::help::{before, corrects, measures, wrong};
-use crate::jog::mask::{Area, Function, Mask, Show, Task};
+use crate::jog::mask::{Function, Mask, Show, Task};
 
 pub(super) const ALIGN: Function = Function {
     name: "align_plane",
-    area: Area::Plane,
     masks: &[Mask {
         name: "align_plane",
         task: Task::Plane,

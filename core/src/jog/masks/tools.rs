@@ -2,11 +2,10 @@
 
 use super::shared::touching;
 use crate::jog::help::{Line, before, corrects, measures, order, wrong};
-use crate::jog::mask::{Area, Field, Function, Kind, Least, Mask, Task};
+use crate::jog::mask::{Field, Function, Kind, Least, Mask, Task};
 
 pub(super) const CALIBRATE: Function = Function {
     name: "tool_cal",
-    area: Area::Tool,
     masks: &[Mask {
         name: "tool_cal",
         task: Task::ToolProbe,
@@ -35,7 +34,6 @@ const fn measure(name: &'static str, task: Task, help: &'static [Line]) -> Mask 
 
 pub(super) const LENGTH: Function = Function {
     name: "tool_length",
-    area: Area::Tool,
     masks: &[measure(
         "tool_length",
         Task::ToolLength,
@@ -51,7 +49,6 @@ pub(super) const LENGTH: Function = Function {
 
 pub(super) const RADIUS: Function = Function {
     name: "tool_radius",
-    area: Area::Tool,
     masks: &[measure(
         "tool_radius",
         Task::ToolRadius,

@@ -3,6 +3,7 @@
 use super::{Input, Session};
 use crate::control::{Control, ROTARY, Store};
 use crate::evaluate::level;
+use crate::geometry::TOLERANCE;
 use crate::jog::activation::{self, Activation, Reasons};
 use crate::jog::mask::Kind;
 use crate::jog::offset::{self, Correction};
@@ -20,7 +21,7 @@ impl Session {
     }
 
     /// Whether a zero offset has to be activated whatever is measured: it is not active while measuring, or a rotary
-    /// axis takes the angle.
+    /// axis takes the angle (B:3092).
     pub fn surely_activates(&self, store: Store) -> bool {
         if self.mask.is_some_and(|mask| mask.older.is_some()) {
             return false;
@@ -55,7 +56,8 @@ impl Session {
         let inactive = matches!(store, Store::Settable(number) if number != control.settable);
         let tilts = offset::tilts(control, &old, &new);
         let swivels = tilts && swivels(&after, store);
-        (Reasons { inactive, tilts, swivels, rotary }, !tilts && old.rotation != new.rotation)
+        let aligned = matches!(correction, Correction::Rotary(_, angle) if angle.0.abs() <= TOLERANCE);
+        (Reasons { inactive, tilts, swivels, rotary, aligned }, !tilts && old.rotation != new.rotation)
     }
 
     /// Shows the results, writes the zero offset; all points are grey again.

@@ -24,7 +24,13 @@ impl Sim {
     pub fn has_probe(&self) -> bool {
         let Some(edge) = self.control.active_edge() else { return self.measuring.is_some() && !self.in_jog };
         let probe = [PROBE, LATHE_PROBE].contains(&edge.kind);
-        probe || if self.in_jog { self.stands_for_probe(edge) } else { self.measuring.is_some() }
+        let stands = || !self.measures_tool() && self.stands_for_probe(edge);
+        probe || if self.in_jog { stands() } else { self.measuring.is_some() }
+    }
+
+    /// Whether a mask of JOG measures the tool in the spindle, or with it the tool probe: then it is none (B:3938-3945).
+    fn measures_tool(&self) -> bool {
+        self.in_cycle && self.measuring.is_none()
     }
 
     /// Whether a tool of the type of a mill is the probe: types 1x0 are those of probes, too (B:4147). It is where no
