@@ -23,7 +23,7 @@ const DEPTH: f64 = 8.0;
 /// Half of the size of a drawn plane, mm.
 const HALF: f64 = 42.0;
 /// Zero offset in Y and Z, mm.
-const ZERO: [f64; 2] = [70.0, 50.0];
+const ZERO: [f64; 2] = [50.0, 20.0];
 /// L1, L2, L3 of a tool in an angle head, mm; its radius.
 const LENGTHS: [f64; 3] = [90.0, 45.0, 30.0];
 const RADIUS: f64 = 6.0;
@@ -362,7 +362,7 @@ mod tests {
         for offset in [60.0, 100.0, 140.0] {
             let Systems { picture, machine, workpiece } = systems(offset);
             assert_eq!(workpiece, [73.0, 30.0, -8.0]);
-            assert_eq!(machine, [offset + 73.0, 100.0, 92.0]);
+            assert_eq!(machine, [offset + 73.0, 80.0, 62.0]);
             assert_eq!(["M", "W", "F", "G17"].map(|name| ways(&picture, name)), [1; 4]);
         }
     }
