@@ -256,9 +256,8 @@ fn of_systems(offset: f64) -> ConceptPicture {
         let of_axis = |(axis, value): (&str, f64)| format!("{axis} {}", figure(value));
         AXES.into_iter().zip(position).map(of_axis).collect::<Vec<_>>().join(", ")
     };
-    let told = Message::new("concept-told-systems")
-        .text("machine", written(machine))
-        .text("workpiece", written(workpiece));
+    let told =
+        Message::new("concept-told-systems").text("machine", written(machine)).text("workpiece", written(workpiece));
     ConceptPicture { picture, values: Typed::new(), told: Some(told) }
 }
 
