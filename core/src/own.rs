@@ -319,6 +319,8 @@ sentences! {
     OLDER_NEW 239 Note "older-new" "";
     OLDER_IDLE 240 Note "older-idle" "";
     DEFINED_HERE 241 Note "defined-here" "defined-here-hint";
+    DEFINITION_MANY 242 Warning "definition-many" "definition-many-hint";
+    SEARCH_ENDED 243 Note "search-ended" "search-ended-hint";
 }
 
 #[cfg(all(test, feature = "cli"))]

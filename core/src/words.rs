@@ -50,6 +50,11 @@ impl Words {
         Words { bundle }
     }
 
+    /// Its code, as `LANGUAGES` has it.
+    pub fn language(&self) -> &str {
+        self.bundle.locales.first().map_or("", |tag| tag.language.as_str())
+    }
+
     /// The text of a message; `key.attribute` takes an attribute. A missing one shows its key.
     pub fn text(&self, message: &Message) -> String {
         self.find(message).unwrap_or_else(|| message.key.to_string())

@@ -50,6 +50,18 @@ describe("the handbook", () => {
       await context.close();
     });
 
+  // oracle: hand (the policy of the handbook lets a picture be drawn in its own colours)
+  for (const colorScheme of ["light", "dark"])
+    test(`a concept has its picture, ${colorScheme}`, async () => {
+      const { context, page, problems } = await handbook("de/terms.html", { colorScheme });
+      const picture = page.locator("img[src$='/mean-value.svg']");
+      await picture.scrollIntoViewIfNeeded();
+      assert.ok(await picture.evaluate(image => image.complete && image.naturalWidth > 300));
+      assert.ok(await fits(page));
+      assert.deepEqual(problems, []);
+      await context.close();
+    });
+
   // oracle: hand
   test("the search says when there is nothing, moves by arrows, and closes with Escape", async () => {
     const { context, page } = await handbook("en/alarms.html");

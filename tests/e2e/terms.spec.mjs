@@ -62,8 +62,76 @@ describe("concepts, terms and commissioning", () => {
     await path.locator("summary").click();
     await path.locator(".term-picture .shape.touch").first().waitFor();
     await path.getByRole("slider").press("Home");
-    await path.locator("output").getByText("1 mm").waitFor();
+    assert.equal(await path.getByRole("textbox").inputValue(), "1");
     await accessible(page, "dialog[open]");
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
+  // oracle: manual B:1265-1284 (with the weighting factor 2 three parts are corrected), hand
+  test("a value of the picture is typed, with the reason where it cannot be", async () => {
+    const { context, page, problems } = await start(chrome, { bypassCSP: true });
+    await command(page, "Concepts and terms");
+    const mean = page.locator("#concept-mean-value");
+    await mean.locator("summary").click();
+    const field = mean.getByRole("textbox", { name: /Weighting factor/ });
+    const slider = mean.getByRole("slider");
+    await field.fill("10");
+    await mean.getByText("none of the ten parts").waitFor();
+    assert.equal(await slider.inputValue(), "10");
+    const drawn = await mean.locator(".term-picture svg").innerHTML();
+    for (const [text, why] of [
+      ["11", "Enter 1 to 10."],
+      ["2.5", "Enter a whole number from 1 to 10."],
+      ["x", "Enter a number."],
+    ]) {
+      await field.fill(text);
+      await mean.getByRole("alert").getByText(why).waitFor();
+      assert.equal(await field.getAttribute("aria-invalid"), "true");
+    }
+    await accessible(page, "dialog[open]");
+    assert.equal(await mean.locator(".term-picture svg").innerHTML(), drawn);
+    await field.fill("2");
+    await mean.getByText("3 of the ten parts").waitFor();
+    assert.equal(await field.getAttribute("aria-invalid"), null);
+    await field.press("ArrowUp");
+    assert.equal(await field.inputValue(), "3");
+    assert.equal(await slider.inputValue(), "3");
+    await mean.getByText("2 of the ten parts").waitFor();
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
+  // oracle: manual B:764-836 (the axis of each length by plane)
+  test("tool lengths follow the plane, and the page is printed as it is shown", async () => {
+    const { context, page, problems } = await start(chrome, { bypassCSP: true });
+    await page.evaluate(() => {
+      window.print = () => {
+        document.documentElement.dataset.printed = "yes";
+      };
+    });
+    await command(page, "Concepts and terms");
+    const lengths = page.locator("#concept-tool-lengths");
+    await lengths.locator("summary").click();
+    for (const [plane, axes] of [
+      ["17", "L1 in Z, L2 in Y, L3 in X"],
+      ["18", "L1 in Y, L2 in X, L3 in Z"],
+      ["19", "L1 in X, L2 in Z, L3 in Y"],
+    ]) {
+      await lengths.getByRole("textbox").fill(plane);
+      await lengths.getByText(axes).waitFor();
+      const captions = await lengths.locator(".term-picture .caption").allTextContents();
+      for (const name of ["F", "L1", "L2", "L3", `G${plane}`])
+        assert.ok(captions.includes(name), `${name}: ${captions}`);
+    }
+    await lengths.getByRole("button", { name: "Print page" }).click();
+    await page.locator("html[data-printed]").waitFor();
+    await page.emulateMedia({ media: "print" });
+    const paper = page.locator(".concept-paper");
+    await paper.getByText("L1 in X, L2 in Z, L3 in Y").waitFor();
+    assert.ok((await paper.locator("svg .shape").count()) > 10);
+    const { height } = await paper.boundingBox();
+    assert.ok(height < 980, `${height}`); // A4 between its margins, CSS pixels
     assert.deepEqual(problems, []);
     await context.close();
   });

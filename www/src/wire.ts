@@ -730,6 +730,8 @@ export type ConceptExample = {
   value: number,
   /** Smallest step. */
   step: number,
+  /** Whether only whole numbers are values of it. */
+  whole: boolean,
 };
 
 /** The picture of a concept. */
@@ -3642,7 +3644,7 @@ export type Severity = "error" | "warning" | "note";
 export type Shape = "normal" | "uniform" | "triangular" | "arcsine";
 
 /** What a figure stands for. */
-export type ShapeKind = "material" | "cut" | "edge" | "zone" | "probe" | "path" | "dimension" | "label" | "tolerance" | "axis" | "touch";
+export type ShapeKind = "material" | "cut" | "edge" | "zone" | "probe" | "path" | "dimension" | "label" | "tolerance" | "axis" | "touch" | "plane";
 
 export type ShapeName = "hole" | "shaft" | "groove" | "web" | "pocket" | "island" | "block" | "turned" | "chuck" | "sphere" | "outerCorner" | "innerCorner" | "surface";
 
@@ -4136,7 +4138,7 @@ export type Versions = {
 };
 
 /** From where the drawing is seen. */
-export type View = "plane" | "section";
+export type View = "plane" | "section" | "space";
 
 /** How certain the measurements of a program are. */
 export type WholeCertainty = {

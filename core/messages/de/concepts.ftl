@@ -340,6 +340,10 @@ concept-overview-turning-5 = Häufiger Fehler: Radius und Durchmesser verwechsel
 # Bilder zum Ziehen: was gezogen wird und was herauskommt.
 concept-drag-difference = Differenz
 concept-drag-feed = Messvorschub
+concept-drag-offset = Nullpunktverschiebung G54 in X
+concept-drag-plane = Ebene (17, 18 oder 19)
+concept-told-systems = F ab M (MKS): { $machine }. Kugelmitte ab W (WKS): { $workpiece }. Die Nullpunktverschiebung bewegt W und das Werkstück: Im WKS bleibt der Wert des Messtasters gleich.
+concept-told-lengths = { $plane }, Typen 1xy, 2xy, 710: L1 in { $first }, L2 in { $second }, L3 in { $third }. Daneben ein Drehwerkzeug (5xy) in G18: L1 in { $turning }, L2 in { $along }. F ist der Werkzeugbezugspunkt.
 concept-told-mean = { $count ->
         [0] Mit diesem Wichtungsfaktor führt keines der zehn Teile zu einer Korrektur.
         [one] Eines der zehn Teile führt zu einer Korrektur. Danach beginnt der Mittelwert wieder bei 0.

@@ -4,6 +4,7 @@ machine-check-nothing = Nichts in diesem Text ist ein Maschinendatum oder Anwend
 machine-check-ending = Verglichene Daten: { $read }. Fehler: { $errors }. Warnungen: { $warnings }. Hinweise: { $notes }. Andere Zuweisungen in den Dateien: { $others }.
 machine-check-unread = Der Wert ist nicht lesbar: { $value } So schreiben: 7, (1,0,2), SET(1,,2) oder REP(0).
 machine-check-unread-size = Größe oder Index des Feldes ist nicht lesbar: { $value } Ganze Zahlen schreiben: [2,10].
+machine-check-many = Die Liste hat { $value } Werte für { $before } Elemente: Die letzten entfallen. Kürzen oder das Feld größer definieren.
 machine-check-unlike = Die Nummer { $value } gehört zu einem anderen Datum: Die Steuerung liest den Bezeichner.
 machine-check-positive = { $value } ist nicht möglich: Der Wert muss über 0 liegen. Damit wird kein Bremsweg berechnet.
 machine-check-no-axis = Ohne { $data } wird kein Vorschub mit der zulässigen Auslenkung verglichen.

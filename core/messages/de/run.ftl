@@ -161,3 +161,7 @@ run-search-target = Der Satzsuchlauf hat kein Suchziel: Alle Messzyklen wurden �
 run-mode-none = NCT-Steuerungen haben die Betriebsart { $word } hier nicht: Das Programm lief wie in AUTOMATIK.
 defined-here = Messdaten hat die Maschine mit anderen Werten oder Größen als diese Definitionsdatei; die der Maschine zählen: { $names }.
 defined-here-hint = Zum Übernehmen der Datei: „Definitionsdateien“, „Dateien zurücklesen“ oder probewright definitions --save.
+definition-many = { $name } hat { $elements } Elemente, die Liste aber { $values } Werte: Die letzten entfallen.
+definition-many-hint = Das Feld größer definieren oder die überzähligen Werte löschen.
+search-ended = Der Satzsuchlauf endet hier. Der Lauf geht von { $position } weiter, wo die durchsuchten Sätze enden; keine Achse fährt dorthin.
+search-ended-hint = Die Handbücher sagen nicht, auf welchem Weg die Achsen nach NC-Start dorthin fahren: prüfen, ob er frei ist.

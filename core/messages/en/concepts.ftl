@@ -340,6 +340,10 @@ concept-overview-turning-5 = Usual mistake: radius and diameter mixed up. With D
 # Live pictures: what is dragged, and what it comes to.
 concept-drag-difference = Difference
 concept-drag-feed = Measuring feed
+concept-drag-offset = Zero offset G54 in X
+concept-drag-plane = Plane (17, 18 or 19)
+concept-told-systems = F from M (MCS): { $machine }. Ball centre from W (WCS): { $workpiece }. The zero offset moves W and the part: in the WCS the probe stays at the same value.
+concept-told-lengths = { $plane }, types 1xy, 2xy, 710: L1 in { $first }, L2 in { $second }, L3 in { $third }. Beside it a turning tool (5xy) in G18: L1 in { $turning }, L2 in { $along }. F is the tool reference point.
 concept-told-mean = { $count ->
         [0] With this weighting factor none of the ten parts leads to a correction.
         [one] One of the ten parts leads to a correction. The mean value then restarts at 0.

@@ -4,6 +4,7 @@ machine-check-nothing = Nothing in this text is a machine datum or user datum th
 machine-check-ending = Data compared: { $read }. Errors: { $errors }. Warnings: { $warnings }. Notes: { $notes }. Other assignments in the files: { $others }.
 machine-check-unread = The value cannot be read: { $value } Write it like 7, (1,0,2), SET(1,,2) or REP(0).
 machine-check-unread-size = The size or index of the array cannot be read: { $value } Write whole numbers, like [2,10].
+machine-check-many = The list has { $value } values for { $before } elements: the last ones are dropped. Shorten it, or define the array larger.
 machine-check-unlike = The number { $value } is that of another datum: the control reads the identifier.
 machine-check-positive = { $value } is not possible: the value must be above 0. No braking path is calculated with it.
 machine-check-no-axis = Without { $data } no feed is held against the permitted deflection.

@@ -161,3 +161,7 @@ run-search-target = The block search has no target: all measuring cycles were sk
 run-mode-none = NCT controls do not have the mode { $word } here: the program ran as in AUTOMATIC.
 defined-here = The machine has other values or sizes of measuring data than this definition file, and they count: { $names }.
 defined-here-hint = To take the file over: “Definition files”, “Read files back”, or probewright definitions --save.
+definition-many = { $name } has { $elements } elements, but the list has { $values } values: the last ones are dropped.
+definition-many-hint = Define the array larger, or delete the values behind its last element.
+search-ended = The block search ends here. The run goes on from { $position }, where the searched blocks end; no axis moves there.
+search-ended-hint = The manuals do not say by which way the axes get there after NC start: check that it is free.

@@ -340,6 +340,10 @@ concept-overview-turning-5 = 常见错误：半径与直径混淆。DIAMON 有�
 # 可拖动的图：拖动的量及其结果。
 concept-drag-difference = 差值
 concept-drag-feed = 测量进给率
+concept-drag-offset = 零点偏移 G54 的 X 值
+concept-drag-plane = 平面（17、18 或 19）
+concept-told-systems = F 相对 M（MCS）：{ $machine }。测球中心相对 W（WCS）：{ $workpiece }。零点偏移使 W 和工件一起移动：测头在 WCS 中的数值不变。
+concept-told-lengths = { $plane }，类型 1xy、2xy、710：L1 在 { $first }，L2 在 { $second }，L3 在 { $third }。旁边是 G18 中的车刀（5xy）：L1 在 { $turning }，L2 在 { $along }。F 是刀具参考点。
 concept-told-mean = { $count ->
         [0] 采用该加权系数时，十个工件均不引起补偿。
        *[other] 十个工件中有 { $count } 个引起补偿。每次补偿后，平均值从 0 重新开始。

@@ -4,6 +4,7 @@ machine-check-nothing = 此文本中没有测量所需的机床数据或用户�
 machine-check-ending = 已比较的数据：{ $read }。错误：{ $errors }。警告：{ $warnings }。提示：{ $notes }。文件中的其他赋值：{ $others }。
 machine-check-unread = 无法读取数值：{ $value } 请写成 7、(1,0,2)、SET(1,,2) 或 REP(0)。
 machine-check-unread-size = 无法读取数组的大小或下标：{ $value } 请写整数，例如 [2,10]。
+machine-check-many = 列表有 { $value } 个值，而元素只有 { $before } 个：多余的值被丢弃。请缩短列表或加大数组。
 machine-check-unlike = 编号 { $value } 属于另一个数据：控制系统读取标识符。
 machine-check-positive = { $value } 无效：该值必须大于 0，不用它计算制动距离。
 machine-check-no-axis = 缺少 { $data }，不将进给率与允许偏转量比较。

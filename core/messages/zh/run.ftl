@@ -161,3 +161,7 @@ run-search-target = 程序段搜索没有目标：跳过了所有测量循环。
 run-mode-none = NCT 控制系统在此没有运行方式 { $word }：程序按自动方式执行。
 defined-here = 机床中测量数据的数值或大小与本定义文件不同，以机床的为准：{ $names }。
 defined-here-hint = 要采用此文件：“定义文件和赋值程序”、“读回文件”，或 probewright definitions --save。
+definition-many = { $name } 有 { $elements } 个元素，而列表有 { $values } 个值：多余的值被丢弃。
+definition-many-hint = 请加大数组，或删除多余的值。
+search-ended = 程序段搜索在此结束。运行从 { $position } 继续，即被搜索的程序段的终点；没有轴移动到该处。
+search-ended-hint = 手册没有说明 NC 启动后各轴按什么路径到达该处：请检查路径上没有障碍。

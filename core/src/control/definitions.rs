@@ -79,6 +79,11 @@ impl First {
         }
     }
 
+    /// How many values are written; none: one is for all elements that there are.
+    pub fn counted(&self) -> Option<usize> {
+        Some(self.count()).filter(|count| matches!(self, First::Each(_)) || *count < ELEMENTS)
+    }
+
     /// For how many elements it stands.
     pub fn count(&self) -> usize {
         match self {

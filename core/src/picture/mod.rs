@@ -15,6 +15,8 @@ pub enum View {
     Plane,
     /// Section: measuring axis to the right, applicate up.
     Section,
+    /// All three axes, from beside and above.
+    Space,
 }
 
 /// What a figure stands for.
@@ -42,8 +44,10 @@ pub enum ShapeKind {
     Tolerance,
     /// Axis of the coordinate system.
     Axis,
-    /// Point to be touched.
+    /// Point to be touched, or to which positions refer.
     Touch,
+    /// Working plane, as it lies in space.
+    Plane,
 }
 
 /// One figure.

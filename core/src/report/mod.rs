@@ -3,6 +3,8 @@
 pub mod alarms;
 pub mod around;
 pub mod commissioning;
+#[cfg(test)]
+mod drawing;
 pub mod explain;
 pub mod findings;
 pub mod foreign;

@@ -19,6 +19,10 @@ pub fn page(words: &Words) -> String {
         for concept in group {
             line(&mut text, &format!("### {}", words.text(&concept.title)));
             line(&mut text, &format!("{} {}", said(concept, words), place(&concept.names, concept.source.to_string())));
+            if concept.example.is_some() {
+                let title = words.text(&concept.title);
+                line(&mut text, &format!("![{title}]({}concepts/{}.svg)", top(words), concept.id));
+            }
             line(&mut text, &picture(concept, words));
         }
     }
@@ -28,6 +32,11 @@ pub fn page(words: &Words) -> String {
         line(&mut text, &format!("**{name}**: {}{} {place}", words.text(&term.meaning), further(term, words)));
     }
     text.trim_end().to_owned() + "\n"
+}
+
+/// The way from a page to the folder of the pictures, which all languages share.
+fn top(words: &Words) -> &'static str {
+    if words.language() == "en" { "" } else { "../" }
 }
 
 fn said(concept: &ConceptView, words: &Words) -> String {

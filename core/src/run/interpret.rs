@@ -307,7 +307,7 @@ fn next_block(run: &mut Interpreter) -> Result<Option<()>, Halt> {
     limits::room(run, span)?;
     let (Some(span), true) = (span, own) else { return Ok(go_on(run, subprogram::leave)) };
     run.sim.line = Some(run.pieces.lines + at as u32);
-    mode::comes(run);
+    mode::comes(run, span);
     run.work += 1 + u64::from((span.end - span.start) / BLOCK);
     run.blocks = run.blocks.wrapping_add(1);
     let depth = run.levels.len();

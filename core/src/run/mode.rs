@@ -2,10 +2,12 @@
 
 use super::modal::Motion;
 use super::{Interpreter, stem};
+use crate::control::AXES;
 use crate::diagnostic::{Severity, Span};
 use crate::dialect::Dialect;
 use crate::entry::Cycle;
-use crate::machine::Pretended;
+use crate::machine::{Machine, Pretended};
+use crate::own;
 use crate::problem::Problem;
 use serde::{Deserialize, Serialize};
 
@@ -83,9 +85,25 @@ pub fn variable(run: &Interpreter, key: &str) -> f64 {
 }
 
 /// The program comes to a block, where a search may end. In program test, and where it is searched, no axis moves.
-pub fn comes(run: &mut Interpreter) {
+pub fn comes(run: &mut Interpreter, span: Span) {
+    let searching = run.searching && run.program.dialect == Dialect::Sinumerik;
     run.searching &= run.sim.line.is_none_or(|line| line + 1 != run.limits.target);
+    if searching && !run.searching {
+        let from = own::SEARCH_ENDED.finding().text("position", position(run));
+        run.tell_once(from.on(span));
+    }
     run.sim.still = matches!(active(run), Mode::ProgramTest | Mode::BlockSearch);
+}
+
+/// Where the axes stand in the program's own coordinates. How they come there after NC start the manuals do not say: of
+/// the search they tell only that cycles are skipped (B:660-668; A:568-585).
+fn position(run: &Interpreter) -> String {
+    let control = &run.sim.control;
+    let factor = control.active_factor();
+    let mut at = run.sim.position().0.map(|value| value / factor);
+    at[0] *= control.transverse.shown();
+    let named = AXES.iter().zip(at).map(|(axis, value)| format!("{axis}{}", (value * 1000.0).round() / 1000.0));
+    named.collect::<Vec<_>>().join(" ")
 }
 
 /// Whether a measuring cycle is skipped here, which is told with what its results hold then. In a simulation what it

@@ -83,6 +83,25 @@ fn a_block_search_skips_up_to_its_line() {
     assert_eq!((found, keys), ([0.0, 4.0, 0.0], [skipped, vec!["run-search-missed".to_owned()]].concat()));
 }
 
+// oracle: hand: where the searched blocks end is told at the block at which the search ends, in the program's units, once
+#[test]
+fn where_a_run_goes_on_after_a_search_is_told() {
+    let told = |text: &str, target| {
+        let setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
+        let limits = Limits { mode: Mode::BlockSearch, target, ..Limits::default() };
+        let outcome = run(&read(Dialect::Sinumerik, text.as_bytes()), &setup, limits);
+        let found = outcome.diagnostics.into_iter().filter(|one| one.message.key == "search-ended");
+        found.map(|one| (one.span.unwrap().start, one.message.word("position").unwrap().to_owned())).collect::<Vec<_>>()
+    };
+    let program = "G90 G0 X64 Y38 Z300\nX70.1234\nY0\nM30\n";
+    assert_eq!(told(program, 3), [(29, "X70.123 Y38 Z300".to_owned())]);
+    assert_eq!(told(program, 1), [(0, "X0 Y0 Z500".to_owned())]);
+    assert_eq!(told(program, 99), []);
+    assert_eq!(told("G70 G0 X1 Y2 Z20\nM0\nM30\n", 2), [(17, "X1 Y2 Z20".to_owned())]);
+    let looping = "R1=0\nAGAIN: R1=R1+1\nG0 Z=300+R1\nIF R1<3 GOTOB AGAIN\nM30\n";
+    assert_eq!(told(looping, 3).len(), 1);
+}
+
 // oracle: hand: what a program is told at its end, it is told where an alarm ends it
 #[test]
 fn a_program_that_stops_is_told_the_same() {

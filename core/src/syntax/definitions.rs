@@ -9,6 +9,7 @@ use crate::control::definitions::{Definition, Definitions, ELEMENTS, First, Type
 use crate::control::{AXES, Value, gud};
 use crate::diagnostic::{Diagnostic, Severity, Span};
 use crate::dialect::Dialect;
+use crate::own;
 use crate::problem::Problem;
 use std::collections::btree_map::Entry;
 use std::sync::Arc;
@@ -22,6 +23,19 @@ pub struct Defined {
     pub measuring: Vec<Measuring>,
     /// What is wrong with it; what is not defined then, is left out.
     pub problems: Vec<Problem>,
+    /// Lists with more values than their arrays have elements.
+    pub beyond: Vec<Beyond>,
+}
+
+/// A list whose last values have no element.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Beyond {
+    /// Name of the datum.
+    pub name: String,
+    /// Where the name stands.
+    pub place: Span,
+    /// How many elements there are, and how many values.
+    pub counts: [usize; 2],
 }
 
 /// A datum of the measuring cycles, as a definition file has it.
@@ -40,7 +54,13 @@ pub struct Measuring {
 impl Defined {
     /// What is wrong, as findings.
     pub fn findings(&self) -> impl Iterator<Item = Diagnostic> {
-        self.problems.iter().map(|problem| problem.diagnostic(Severity::Error))
+        let problems = self.problems.iter().map(|problem| problem.diagnostic(Severity::Error));
+        let beyond = self.beyond.iter().map(|one| {
+            let [elements, values] = one.counts.map(|count| count as f64);
+            let many = own::DEFINITION_MANY.finding().text("name", &*one.name);
+            many.number("elements", elements).number("values", values).on(one.place)
+        });
+        problems.chain(beyond)
     }
 }
 
@@ -129,7 +149,10 @@ impl Defined {
                 _ => continue,
             };
             match made {
-                Ok((name, datum)) => self.add(name, datum, word),
+                Ok((name, datum)) => {
+                    self.beyond.extend(beyond(&name, &datum, word));
+                    self.add(name, datum, word);
+                }
                 Err(problem) => self.problems.push(problem),
             }
         }
@@ -174,6 +197,13 @@ impl Defined {
             }
         }
     }
+}
+
+/// That a list, or the count of a `REP`, goes beyond the last element.
+fn beyond(name: &str, datum: &Definition, word: &Word) -> Option<Beyond> {
+    let (elements, values) = (datum.elements(), datum.first.counted()?);
+    let place = word.declared().unwrap_or(word.span);
+    (values > elements).then(|| Beyond { name: name.to_owned(), place, counts: [elements, values] })
 }
 
 /// The datum that a name of a declaration is.
@@ -302,5 +332,23 @@ mod tests {
             assert_eq!(keys(line), [key], "{line}");
         }
         assert_eq!(keys("%_N_A_MPF\nDEF REAL NO_TYPE\nM30"), [""; 0]);
+    }
+
+    // oracle: hand: a list of one value more than elements, a count beyond them, several in a line; what fits is not told
+    #[test]
+    fn values_without_an_element_are_told() {
+        for (text, wanted) in [
+            ("DEF NCK REAL A[3]=SET(1,2,3)", vec![]),
+            ("DEF NCK REAL A[3]=REP(1)", vec![]),
+            ("DEF NCK REAL A[2,2]=(1,2,3,4,5)", vec![("A", [4, 5])]),
+            ("DEF NCK INT A=(1,2)", vec![("A", [1, 2])]),
+            ("DEF NCK REAL A[2]=REP(7,3), B[2]=(1,2,,)", vec![("A", [2, 3]), ("B", [2, 4])]),
+            ("DEF NCK INT _CVAL[4]=(2,2,0,0,9)", vec![("_CVAL", [4, 5])]),
+        ] {
+            let found = definitions(text.as_bytes());
+            let told: Vec<_> = found.beyond.iter().map(|one| (one.name.as_str(), one.counts)).collect();
+            assert_eq!(told, wanted, "{text}");
+            assert_eq!(found.findings().count(), wanted.len(), "{text}");
+        }
     }
 }

@@ -264,8 +264,9 @@ fn keyword_word(reader: &mut Reader, start: usize, name: Span, kind: Keyword) ->
     let more = !reader.done() && reader.byte(0) != b';';
     reader.at = behind;
     let value = match kind {
-        Keyword::Value | Keyword::Target => Some(expression(reader, 0)?.id),
-        Keyword::Repeat if more => Some(expression(reader, 0)?.id),
+        Keyword::Value => Some(expression(reader, 0)?.id),
+        Keyword::Target => Some(target(reader)?),
+        Keyword::Repeat if more => Some(target(reader)?),
         Keyword::Operator => return Err(&own::SYNTAX_OPERATOR),
         _ => None,
     };
@@ -277,6 +278,22 @@ fn keyword_word(reader: &mut Reader, start: usize, name: Span, kind: Keyword) ->
         _ => reader.expect,
     };
     reader.word(start, WordKind::Keyword { name, value })
+}
+
+/// Where a jump or a repetition leads: what gives a label or a number, or the number of a main block as that is written,
+/// `:20`.
+fn target(reader: &mut Reader) -> Parsed<ExprId> {
+    reader.blanks();
+    if reader.byte(0) != b':' || !reader.byte(1).is_ascii_digit() {
+        return Ok(expression(reader, 0)?.id);
+    }
+    let start = reader.at;
+    reader.at += 1;
+    while reader.byte(0).is_ascii_digit() {
+        reader.at += 1;
+    }
+    let name = reader.from(start);
+    Ok(reader.push(start, Expr::Name { name, index: Box::default() }, 1)?.id)
 }
 
 /// A type, or a declared name with its sizes and first value.

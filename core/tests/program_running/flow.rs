@@ -17,6 +17,10 @@ fn flow_goes_its_way() {
         ("GOTOF ENDE\nR1=1\nENDE:\nR1=R1+2", 2.0),
         ("AGAIN: R1=R1+1\nIF R1<5 GOTOB AGAIN\nM2\nR1=99", 5.0),
         ("N10 R1=R1+1\nN20 IF R1<3 GOTOB N10\nN30 GOTOF \"LA\"<<\"ST\"\nR1=50\nLAST: R1=R1+1", 4.0),
+        // a main block is named as it is written
+        (":10 R1=R1+1\nIF R1<3 GOTOB :10\nGOTOF:0030\nR1=50\nN30 R1=R1+1", 4.0),
+        ("N10 CASE R1 OF 0 GOTOF :20 DEFAULT GOTOF :30\n:20 R1=7\nM30\n:30 R1=8", 7.0),
+        ("R1=1\n:20 R1=R1*3\nREPEATB :20 P=2", 27.0),
         ("WHILE R1<7\nR1=R1+2\nENDWHILE", 8.0),
         ("DEF INT I\nFOR I=1 TO 4\nR1=R1+I\nENDFOR", 10.0),
         ("DEF INT I\nFOR I=5 TO 4\nR1=R1+I\nENDFOR", 0.0),

@@ -161,6 +161,7 @@ severity-note = Hinweis
 
 picture-plane = Skizze der Messung, Blick auf die Arbeitsebene
 picture-section = Skizze der Messung, Schnitt
+picture-space = Räumliche Skizze, von der Seite und von oben
 
 editor-find = Suchen
 editor-replace-with = Ersetzen
@@ -1038,7 +1039,13 @@ terms-title = Anleitungen, Begriffe und Konzepte
 terms-open = Anleitungen, Begriffe
 terms-search = Anleitungen, Begriffe und Konzepte suchen
 terms-search-hint = Schaltpunkt, Mittelwert, Cpk
-terms-drag = Ziehen: { $what }
+terms-drag = Ziehen oder eingeben: { $what }
+terms-no-number = Eine Zahl eingeben.
+terms-range = { $from } bis { $to }{ $unit } eingeben.
+terms-whole = Eine ganze Zahl von { $from } bis { $to } eingeben.
+terms-limits = { $from } … { $to }
+terms-shown = { $what }: { $value }.
+terms-print = Seite drucken
 terms-terminal = Im Terminal
 guide-go = Dorthin
 guide-open = Anleitung

@@ -161,6 +161,7 @@ severity-note = Note
 
 picture-plane = Drawing of the measurement, view of the working plane
 picture-section = Drawing of the measurement, section
+picture-space = Drawing in space, from beside and above
 
 editor-find = Find
 editor-replace-with = Replace
@@ -1020,7 +1021,13 @@ terms-title = Guides, concepts and terms
 terms-open = Guides, terms
 terms-search = Search guides, concepts and terms
 terms-search-hint = Trigger point, mean value, Cpk
-terms-drag = Drag: { $what }
+terms-drag = Drag or enter: { $what }
+terms-no-number = Enter a number.
+terms-range = Enter { $from } to { $to }{ $unit }.
+terms-whole = Enter a whole number from { $from } to { $to }.
+terms-limits = { $from } … { $to }
+terms-shown = { $what }: { $value }.
+terms-print = Print page
 terms-terminal = In a terminal
 guide-go = Go there
 guide-open = Guide

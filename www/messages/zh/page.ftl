@@ -158,6 +158,7 @@ severity-note = 提示
 
 picture-plane = 测量示意图，垂直于工作平面观察
 picture-section = 测量示意图，剖面
+picture-space = 空间示意图，从侧上方观察
 
 editor-find = 查找
 editor-replace-with = 替换为
@@ -982,7 +983,13 @@ terms-title = 指南、概念与术语
 terms-open = 指南、术语
 terms-search = 搜索指南、概念与术语
 terms-search-hint = 触发点、平均值、Cpk
-terms-drag = 拖动：{ $what }
+terms-drag = 拖动或输入：{ $what }
+terms-no-number = 请输入数字。
+terms-range = 请输入 { $from } 到 { $to }{ $unit }。
+terms-whole = 请输入 { $from } 到 { $to } 的整数。
+terms-limits = { $from } … { $to }
+terms-shown = { $what }：{ $value }。
+terms-print = 打印本页
 terms-terminal = 终端命令
 guide-go = 前往
 guide-open = 指南

@@ -12,6 +12,7 @@ const ORDER: PictureShape["kind"][] = [
   "material",
   "cut",
   "tolerance",
+  "plane",
   "axis",
   "zone",
   "path",

@@ -8,8 +8,8 @@ import { el, on, setText, show } from "../dom";
 import { glossed } from "../glossary";
 import { helpWords, optional, say, t } from "../texts";
 import type { ConceptView, GuideView, Message, TermsView, TermView } from "../wire";
-import { passingDialog, showPassing } from "./passing";
-import { createTermPicture } from "./term-picture";
+import { passingDialog, printBelow, showPassing } from "./passing";
+import { createTermPicture, printedPicture, type TermPicture } from "./term-picture";
 
 /** What the search finds, and where. */
 interface Entry {
@@ -27,9 +27,11 @@ function place(names: string[], source: string): HTMLElement {
 }
 
 /** The page of a concept; its picture is drawn once it is opened. */
-function page(core: ProgramCore, { id, title, lines, names, source, example, still }: ConceptView): HTMLDetailsElement {
+function page(core: ProgramCore, concept: ConceptView): HTMLDetailsElement {
+  const { id, title, lines, names, source, example, still } = concept;
   const behind = place(names, source);
   const seen = new Set<string>(); // a page marks each term once
+  const printing = el("button", { type: "button" }, t("terms-print"));
   const root = el(
     "details",
     { class: "term-page", id: `concept-${id}` },
@@ -37,10 +39,34 @@ function page(core: ProgramCore, { id, title, lines, names, source, example, sti
     ...lines.map(line => el("p", {}, ...glossed(say(line), seen))),
     still ? el("p", {}, el("small", {}, say(still))) : null,
     behind,
+    el("p", {}, printing),
   );
+  let picture: TermPicture | null = null;
+  on(printing, "click", () => printPage(core, concept, picture?.value()));
   if (example)
-    root.addEventListener("toggle", () => behind.before(createTermPicture(core, id, example)), { once: true });
+    root.addEventListener(
+      "toggle",
+      () => {
+        picture = createTermPicture(core, id, example);
+        behind.before(picture.root);
+      },
+      { once: true },
+    );
   return root;
+}
+
+/** The page of a concept on paper, with its picture as it is shown. */
+function printPage(core: ProgramCore, concept: ConceptView, value: number | undefined): void {
+  const { id, title, lines, names, source, example, still } = concept;
+  const picture = example ? printedPicture(core, id, example, value ?? example.value) : null;
+  printBelow(
+    "concept",
+    say(title),
+    ...lines.map(line => el("p", {}, say(line))),
+    picture,
+    still ? el("p", {}, say(still)) : null,
+    place(names, source),
+  );
 }
 
 /** `go`: leads to what it tells about; null: from there it was opened. */

@@ -336,9 +336,12 @@ impl<'a> Writer<'a> {
         }
         let (path, place) = link.split_once('#').map_or((link, String::new()), |(path, id)| (path, format!("#{id}")));
         let from = self.source.file(self.language);
-        let path = resolved(Path::new(&self.source.name).parent().unwrap_or(Path::new("")), path)
+        let folder = self.language.folder();
+        let written = format!("{folder}{}", self.source.name);
+        let path = resolved(Path::new(&written).parent().unwrap_or(Path::new("")), path)
             .with_context(|| format!("{link} leads out of docs/"))?;
-        let page = path.strip_suffix(".md").and_then(|name| self.language.page(name));
+        let name = path.strip_prefix(&folder).and_then(|path| path.strip_suffix(".md"));
+        let page = name.and_then(|name| self.language.page(name));
         let to = match page {
             Some(page) => page.file(self.language),
             None if self.sources.beside.contains_key(&path) => path,

@@ -15,6 +15,8 @@ const GROUPS: [(&str, &[&str]); 2] = [
 ];
 const CYCLES: &str = "cycles/";
 const ALARMS: &str = "alarms";
+/// Pictures that all languages share.
+const PICTURES: &str = "concepts";
 /// Groups of the cycles: how their names begin.
 const CONTROLS: [(&str, &str); 2] = [("book-cycles", "CYCLE"), ("book-macros", "G")];
 
@@ -61,7 +63,9 @@ impl Sources {
         let docs = root.join("docs");
         let languages = codes.iter().map(|code| Language::read(root, &docs, code));
         let languages = languages.collect::<Result<Vec<_>>>()?;
-        let beside = names(&docs)?.into_iter().filter(|name| docs.join(name).is_file() && !name.ends_with(".md"));
+        let drawn = names(&docs.join(PICTURES))?.into_iter().map(|name| format!("{PICTURES}/{name}"));
+        let beside = names(&docs)?.into_iter().chain(drawn);
+        let beside = beside.filter(|name| docs.join(name).is_file() && !name.ends_with(".md"));
         let beside = beside.map(|name| Ok((name.clone(), fs::read(docs.join(&name))?))).collect::<Result<_>>()?;
         Ok(Sources { languages, beside })
     }
@@ -87,6 +91,11 @@ impl Language {
 
     pub fn new(code: &str, words: Words, groups: Vec<Group>) -> Language {
         Language { code: code.to_owned(), words, named: named(&groups), groups }
+    }
+
+    /// Where its pages stand in `docs/`, with a slash behind it.
+    pub fn folder(&self) -> String {
+        if self.code == FIRST { String::new() } else { format!("{}/", self.code) }
     }
 
     /// All pages, as one reads them.
@@ -171,6 +180,11 @@ impl Source {
     pub fn file(&self, language: &Language) -> String {
         format!("{}/{}.html", language.code, self.name)
     }
+}
+
+/// Whether a file beside the pages is a picture that pages of every language show.
+pub fn is_drawn(name: &str) -> bool {
+    name.split_once('/').is_some_and(|(folder, _)| folder == PICTURES)
 }
 
 /// What a folder holds, in order.

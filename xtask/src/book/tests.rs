@@ -191,6 +191,19 @@ fn every_link_of_docs_leads_somewhere() {
     assert!(check::links(&docs().1).unwrap().contains("en/alarms.html"));
 }
 
+// oracle: hand: a concept has its picture in each language, which is there without a network too
+#[test]
+fn concepts_have_their_pictures_in_each_language() {
+    let (codes, files) = docs();
+    for code in codes {
+        let (page, list) = (text(files, &format!("{code}/terms.html")), text(files, &format!("{code}.json")));
+        assert!(page.matches("<img src=\"../concepts/").count() > 25, "{code}");
+        assert!(page.contains("<img src=\"../concepts/mean-value.svg\""), "{code}");
+        assert!(list.contains("\"concepts/mean-value.svg\""), "{code}");
+    }
+    assert!(text(files, "concepts/mean-value.svg").starts_with("<svg "));
+}
+
 // oracle: hand (a page is read by a person who cannot edit it)
 #[test]
 fn a_page_says_where_it_is_and_nothing_to_editors() {

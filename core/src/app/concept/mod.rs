@@ -40,6 +40,8 @@ pub struct ConceptExample {
     pub value: f64,
     /// Smallest step.
     pub step: f64,
+    /// Whether only whole numbers are values of it.
+    pub whole: bool,
 }
 
 /// Which picture.
@@ -102,7 +104,8 @@ impl Call {
         let field = view.fields.into_iter().find(|field| field.name == self.drag)?;
         let whole = self.cycle.param(self.drag).is_some_and(|param| !matches!(param.kind, Kind::Real));
         let middle = field.value.parse().unwrap_or_default();
-        Some(dragged(example, self.drag, field.label, field.unit, if whole { 1.0 } else { 0.0 }).at(middle))
+        let shown = dragged(example, self.drag, field.label, field.unit, if whole { 1.0 } else { 0.0 }).at(middle);
+        Some(ConceptExample { whole, ..shown })
     }
 }
 
@@ -117,7 +120,7 @@ fn dragged(example: &Example, name: &'static str, label: Message, unit: &'static
     let Example { from, to, .. } = *example;
     let fine = 10_f64.powf(((to - from) / STEPS).log10().floor());
     let step = if step > 0.0 { step } else { fine };
-    ConceptExample { name, label, unit, from, to, value: from, step }
+    ConceptExample { name, label, unit, from, to, value: from, step, whole: false }
 }
 
 /// What is dragged in the picture of a concept.

@@ -3,6 +3,7 @@
 
 use super::{ConceptExample, ConceptPicture, dragged};
 use crate::control::braking::Braking;
+use crate::control::{AXES, Plane};
 use crate::entry::{Typed, names};
 use crate::evaluate::mean;
 use crate::evaluate::tolerance::{Bands, Branch, chain};
@@ -11,6 +12,7 @@ use crate::message::Message;
 use crate::name::Name;
 use crate::picture::figures::{circle, dimension, line, polar, ray, rectangle, swept};
 use crate::picture::{Picture, PictureShape, ShapeKind, View};
+use crate::scene::plan::reference::{Lengths, Systems, lengths, systems};
 
 /// Differences of ten parts, and the limit beyond which their mean value corrects, µm (B:1265-1284).
 const DIFFERENCES: [f64; 10] = [30.0, 50.0, 60.0, 20.0, 40.0, 50.0, 50.0, 30.0, 70.0, 70.0];
@@ -51,6 +53,8 @@ pub enum Sketch {
     Braking,
     Mono,
     Repeated,
+    Systems,
+    Lengths,
 }
 
 impl Sketch {
@@ -62,6 +66,8 @@ impl Sketch {
             "sketch/braking" => Some(Sketch::Braking),
             "sketch/mono" => Some(Sketch::Mono),
             "sketch/repeated" => Some(Sketch::Repeated),
+            "sketch/systems" => Some(Sketch::Systems),
+            "sketch/lengths" => Some(Sketch::Lengths),
             _ => None,
         }
     }
@@ -74,8 +80,11 @@ impl Sketch {
             Sketch::Braking => ("", "concept-drag-feed", "mm/min", 10.0, (example.from + example.to) / 2.0),
             Sketch::Mono => ("_CORA", "param-cora", "deg", 1.0, 0.0),
             Sketch::Repeated => ("_NMSP", "param-nmsp", "", 1.0, 3.0),
+            Sketch::Systems => ("", "concept-drag-offset", "mm", 1.0, 100.0),
+            Sketch::Lengths => ("", "concept-drag-plane", "", 1.0, 17.0),
         };
-        dragged(example, name, Message::new(key), unit, step).at(value)
+        let whole = matches!(self, Sketch::Mean | Sketch::Repeated | Sketch::Lengths);
+        ConceptExample { whole, ..dragged(example, name, Message::new(key), unit, step).at(value) }
     }
 
     pub fn draw(self, value: f64) -> ConceptPicture {
@@ -86,6 +95,8 @@ impl Sketch {
             Sketch::Braking => of_braking(value),
             Sketch::Mono => of_mono(value),
             Sketch::Repeated => of_repeated(value.round()),
+            Sketch::Systems => of_systems(value),
+            Sketch::Lengths => of_lengths(value.round()),
         }
     }
 }
@@ -236,6 +247,38 @@ fn of_repeated(count: f64) -> ConceptPicture {
         .number("scatter", (SCATTER / count.sqrt() * 100.0).round() / 100.0)
         .number("single", SCATTER);
     plane(shapes, [value_of(names::NMSP, count)].into_iter().collect(), told)
+}
+
+/// Where F and the ball stand, each in its system; the zero offset moves W, and with it the part.
+fn of_systems(offset: f64) -> ConceptPicture {
+    let Systems { picture, machine, workpiece } = systems(offset);
+    let written = |position: [f64; 3]| {
+        let of_axis = |(axis, value): (&str, f64)| format!("{axis} {}", figure(value));
+        AXES.into_iter().zip(position).map(of_axis).collect::<Vec<_>>().join(", ")
+    };
+    let told =
+        Message::new("concept-told-systems").text("machine", written(machine)).text("workpiece", written(workpiece));
+    ConceptPicture { picture, values: Typed::new(), told: Some(told) }
+}
+
+/// A position to a hundredth of a mm, as it is read.
+fn figure(value: f64) -> String {
+    let rounded = (value * 100.0).round() / 100.0;
+    rounded.to_string().replace('-', "−")
+}
+
+/// A tool with its lengths in a plane, and a turning tool.
+fn of_lengths(number: f64) -> ConceptPicture {
+    let plane = Plane::of(number as u16).unwrap_or_default();
+    let Lengths { picture, axes: [first, second, third], turning } = lengths(plane);
+    let told = Message::new("concept-told-lengths")
+        .text("plane", format!("G{number}"))
+        .text("first", first)
+        .text("second", second)
+        .text("third", third)
+        .text("turning", turning[0])
+        .text("along", turning[1]);
+    ConceptPicture { picture, values: Typed::new(), told: Some(told) }
 }
 
 /// To a ten thousandth.

@@ -179,11 +179,13 @@ pub fn odd(given: &Exported, files: &Files) -> Vec<MachineFault> {
     unread(given, files).into_iter().chain(unlike).chain(twice).collect()
 }
 
-/// Lines of which a value or a size cannot be read.
+/// Lines of which a value or a size cannot be read, or of which values have no element.
 pub fn unread(given: &Exported, files: &Files) -> Vec<MachineFault> {
     let values = given.unread.iter().map(|odd| fault_of(Severity::Error, "machine-check-unread", odd, files));
     let sizes = given.unsized_arrays.iter();
-    values.chain(sizes.map(|odd| fault_of(Severity::Error, "machine-check-unread-size", odd, files))).collect()
+    let sizes = sizes.map(|odd| fault_of(Severity::Error, "machine-check-unread-size", odd, files));
+    let many = given.beyond.iter().map(|odd| fault_of(Severity::Warning, "machine-check-many", odd, files));
+    values.chain(sizes).chain(many).collect()
 }
 
 /// What is wrong with a line.

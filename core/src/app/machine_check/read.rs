@@ -76,6 +76,8 @@ pub struct Exported {
     pub unread: Vec<Odd>,
     /// Arrays whose size cannot be read.
     pub unsized_arrays: Vec<Odd>,
+    /// Lists with more values than there are elements behind the first one.
+    pub beyond: Vec<Odd>,
     /// Data whose number in front is that of another datum.
     pub unlike: Vec<Odd>,
     /// Assignments of which no check knows the datum.
@@ -302,8 +304,21 @@ impl Line<'_> {
         self.to.lists.insert((gud.name.to_owned(), channel), List { sizes: sizes.to_vec(), count, zero });
     }
 
+    /// Remembers that values of a list have no element: of an array whose definition came before in its size.
+    fn beyond(&mut self, datum: &Datum, values: &First) {
+        let Some(count) = values.counted().filter(|count| *count > 1) else { return };
+        let defined = self.to.sizes.get(arrays::stem(&datum.name)).map(|(sizes, _)| sizes);
+        let room = arrays::following(&datum.name, defined.unwrap_or(&datum.sizes)).count();
+        if count > room {
+            let texts = [count, room].map(|count| count.to_string());
+            let channel = if datum.channel { *self.channel } else { 0 };
+            self.to.beyond.push(Odd { name: datum.name.clone(), channel, place: self.place, texts });
+        }
+    }
+
     /// Gives a datum, or the elements of an array from this one on, their values.
     fn fill(&mut self, datum: &Datum, values: &First, defined: bool) {
+        self.beyond(datum, values);
         let alone = datum.sizes.is_empty() || of_one(values) && datum.name.contains('[');
         let names = match alone {
             true => vec![datum.name.clone()],
@@ -542,6 +557,21 @@ mod tests {
         let read = read("DEF NCK INT _CVAL[4]=(a,_DIGIT=5), _DIGIT=3\n_CBIT[0]=(x) _CBIT[1]=1");
         assert_eq!((read.unread.len(), read.data.len()), (2, 2));
         assert_eq!((read.number("_DIGIT", 0), read.number("_CBIT[1]", 0)), (Some(3.0), Some(1.0)));
+    }
+
+    // oracle: hand: lists of one value more than elements, from the first one and from a later one; what fits is not told
+    #[test]
+    fn values_without_an_element_are_told_with_their_line() {
+        let read = read(
+            "DEF NCK INT _CVAL[4]=(2,2,0,0)\nDEF NCK INT _CVAL[4]=(2,2,0,0,9)\n_CVAL[2]=SET(1,2,3)\n_CVAL[3]=5\n\
+             DEF NCK REAL _TP[2,10]\n_TP[1,8]=REP(1)\n_TP[1,8]=REP(1,3)",
+        );
+        let told: Vec<_> =
+            read.beyond.iter().map(|odd| (odd.name.as_str(), odd.place.line, odd.texts.clone())).collect();
+        let counts = |values: &str, elements: &str| [values.to_owned(), elements.to_owned()];
+        let wanted =
+            [("_CVAL", 2, counts("5", "4")), ("_CVAL[2]", 3, counts("3", "2")), ("_TP[1,8]", 7, counts("3", "2"))];
+        assert_eq!(told, wanted);
     }
 
     // oracle: hand (REP fills from the element on to the end of the array, or as many as it says)

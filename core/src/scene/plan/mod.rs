@@ -2,6 +2,7 @@
 //! on it, carried out with values that can be drawn, seen onto the plane and in sections beside that.
 
 mod performing;
+pub mod reference;
 mod solid;
 mod view;
 
