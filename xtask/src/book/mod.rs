@@ -84,11 +84,11 @@ fn read(folder: &Path) -> Result<Files> {
 /// All files of the handbook; `shared`: those that each page uses.
 fn files(sources: &Sources, shared: &Files) -> Result<Files> {
     let mut files = shared.clone();
-    let drawn = || sources.beside.iter().filter(|(name, _)| sources::is_drawn(name));
     for language in &sources.languages {
         let own = of_language(sources, language)?;
         let name = format!("{}.json", language.code);
-        let list = list(own.iter().chain(shared).chain(drawn()));
+        let drawn = sources.beside.iter().filter(|(name, _)| sources::is_drawn(name));
+        let list = list(own.iter().chain(shared).chain(drawn));
         files.extend(own);
         files.insert(name, list.into_bytes());
     }
