@@ -25,8 +25,8 @@ async function saved(page, button) {
   return { name: download.suggestedFilename(), text: await readFile(await download.path(), "utf8") };
 }
 
-/** The hole of the example, measured on its machine. */
-async function measured(chrome, options = {}) {
+/** The hole of the example, measured on its machine, so many times. */
+async function measured(chrome, options = {}, times = 1) {
   const started = await open(chrome.browser, options);
   const { page } = started;
   await page.locator(".results tbody tr").first().waitFor({ state: "attached" });
@@ -34,7 +34,12 @@ async function measured(chrome, options = {}) {
     .locator('input[type=file][accept*="json"]')
     .first()
     .setInputFiles({ name: "setup.json", mimeType: "application/json", buffer: example });
-  await run(page, scenario.program.name, scenario.program.text);
+  const calls = Array.from({ length: times }, () => "CYCLE977\n").join("");
+  await run(
+    page,
+    scenario.program.name,
+    scenario.program.text.replace(/^.*CYCLE977.*\n/m, line => line + calls.slice(9)),
+  );
   return started;
 }
 
@@ -80,6 +85,29 @@ describe("the record of a run", () => {
     assert.ok((await sheet.locator(".record-picture path").count()) > 10);
     const pdf = await page.pdf({ preferCSSPageSize: true, format: "A4" });
     assert.equal(pdf.toString("latin1").match(/\/Type\s*\/Page\b/g)?.length, 1, "one sheet");
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+});
+
+describe("the record of several measurements", () => {
+  const chrome = shared("webgl2", { before, after });
+
+  // oracle: hand: a sheet a part, with a picture of which something is to be seen
+  test("of one part has room on a sheet", async () => {
+    const { context, page, problems } = await measured(chrome, {}, 5);
+    await page.evaluate(() => {
+      window.print = () => undefined;
+    });
+    await page.emulateMedia({ media: "print" });
+    const sheet = page.locator(".record-sheet");
+    for (const format of ["A4", "Letter"]) {
+      await page.locator('.whole-top button:has-text("Print record")').evaluate(button => button.click());
+      await sheet.waitFor();
+      assert.equal(await sheet.locator(".record-call").count(), 5);
+      const pdf = await page.pdf({ preferCSSPageSize: true, format });
+      assert.equal(pdf.toString("latin1").match(/\/Type\s*\/Page\b/g)?.length, 1, format);
+    }
     assert.deepEqual(problems, []);
     await context.close();
   });
