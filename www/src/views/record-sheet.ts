@@ -18,7 +18,7 @@ type Call = RunView["answers"][number];
 type Draw = typeof import("../preview/still");
 const VIEW = { width: 680, height: 330 }; // CSS pixels
 const MOST_NUMBERS = 80; // in the picture
-const ONE_SHEET = 14; // lines of a table with which all of it has room on a sheet
+const ONE_SHEET = 24; // lines of a table with which all of it may have room on a sheet
 const ON = 1 + 1e-6; // share of a limit that is not beyond it
 const WIDE = 60; // of a bar, its units
 
