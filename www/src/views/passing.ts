@@ -52,8 +52,7 @@ export function printsWith(dialog: HTMLDialogElement, button: HTMLElement, make:
     const made = dialog.isConnected && !document.documentElement.dataset.paper ? make() : null;
     if (made) put(made);
   };
-  // before the page makes its own sheet (`sheet.ts`), which is not wanted then
-  addEventListener("beforeprint", bring, { capture: true, signal: closed.signal });
+  addEventListener("beforeprint", bring, { signal: closed.signal });
 }
 
 /** Shows it until it is closed, or the page ends; `gone`: what then ends with it. */

@@ -29,7 +29,7 @@ pub fn recognised(lines: &[Line]) -> Vec<(usize, Columns)> {
     if own_log {
         return Vec::new();
     }
-    let named = |(at, line): (usize, &Line)| Some((at, named(line).filter(|found| holds(found, line, &lines[at..]))?));
+    let named = |(at, line): (usize, &Line)| Some((at, table(line, &lines[at + 1..])?));
     let Some(first) = lines.iter().enumerate().take(HEAD).find_map(named) else { return Vec::new() };
     let others = lines.iter().enumerate().skip(first.0 + 1).filter_map(named);
     std::iter::once(first.clone()).chain(others).collect()
@@ -38,18 +38,30 @@ pub fn recognised(lines: &[Line]) -> Vec<(usize, Columns)> {
 /// Lines behind words that blanks part, in which the figures of a table are looked for.
 const NEAR: usize = 6;
 
-/// Whether these are the headings of a table. Words that blanks part could be a sentence: below them a line has a figure
-/// in each column that is named.
-fn holds(found: &Columns, heads: &Line, lines: &[Line]) -> bool {
-    let figure = |line: &Line, column: &Column| line.fields.get(column.index).and_then(|field| Figure::of(field));
-    let below = |line: &Line| {
-        let of_table = line.fields.len() == heads.fields.len();
-        of_table && found.figures().all(|column| figure(line, column).is_some())
-    };
-    heads.parted.is_some() || lines.iter().skip(1).take(NEAR).any(below)
+fn figure(line: &Line, column: &Column) -> Option<Figure> {
+    line.fields.get(column.index).and_then(|field| Figure::of(field))
 }
 
-/// The columns of a line of headings; none: it is another line.
+/// The columns of a line of headings above these lines; none: it is another line. Words that blanks part could be a
+/// sentence: below them a line has a figure in each column that is named.
+fn table(heads: &Line, below: &[Line]) -> Option<Columns> {
+    let found = named(heads)?;
+    // `Nr` above names is no number of a call
+    let numbered = |column: &Column| below.iter().take(HEAD).any(|line| figure(line, column).is_some());
+    let found = Columns { number: found.number.filter(numbered), ..found };
+    let values = found.actual.is_some() || found.nominal.is_some() && found.deviation.is_some();
+    let Columns { number, line, result, nominal, deviation, .. } = &found;
+    let places = [number, line, result, nominal, deviation].into_iter().any(Option::is_some);
+    // a line of the program is named by no sentence with signs between its words, and says which call is meant
+    let of_line = line.is_some() && heads.parted.is_some() && heads.fields.len() > 1;
+    let of_table = |line: &Line| {
+        line.fields.len() == heads.fields.len() && found.figures().all(|column| figure(line, column).is_some())
+    };
+    let holds = heads.parted.is_some() || below.iter().take(NEAR).any(of_table);
+    ((values && places || of_line) && holds).then_some(found)
+}
+
+/// The columns that the words of a line name; none: it has a figure, or none of them.
 fn named(line: &Line) -> Option<Columns> {
     if line.fields.iter().any(|field| Figure::of(field).is_some()) {
         return None;
@@ -66,11 +78,8 @@ fn named(line: &Line) -> Option<Columns> {
         actual: find(ACTUAL),
         deviation: find(DEVIATION),
     };
-    let values = found.actual.is_some() || found.nominal.is_some() && found.deviation.is_some();
-    let places = [&found.number, &found.line, &found.result, &found.nominal, &found.deviation];
-    // a line of the program is named by no sentence with signs between its words, and says which call is meant
-    let of_line = found.line.is_some() && line.parted.is_some() && line.fields.len() > 1;
-    (values && places.into_iter().any(Option::is_some) || of_line).then_some(found)
+    let is_known = found.all().next().is_some();
+    is_known.then_some(found)
 }
 
 /// A heading without the unit behind it: `Actual [mm]`, `Ist (mm)`.

@@ -236,6 +236,7 @@ fn headings_win_over_what_the_figures_could_mean() {
             [None, None, Some(50.015)],
             vec![(3, "protocol-no-number-of-call")],
         ),
+        ("nr;nominal;actual\nbore;50;50.01\nslot;77;77.2\n", [Some(50.01), None, None], vec![(3, "protocol-no-call")]),
         ("actual;nominal\n50.015;50\n50;50\n", [Some(50.015), Some(50.0), None], vec![]),
         ("nr;line;actual\n1;A;50.01\n2;C;50.02\n", [Some(50.01), None, None], vec![(3, "protocol-other-line")]),
         ("line;actual\nA.5;50.01\n-1;50.02\n", [None; 3], vec![(2, "protocol-no-line"), (3, "protocol-no-line")]),
