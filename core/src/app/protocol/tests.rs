@@ -174,7 +174,8 @@ fn chosen_columns_say_what_stands_where() {
     assert!(near(&values(&of(german, &offsets).answers), &[50.02, 50.04], 1e-9));
     let view = of(german, &in_order);
     assert!(near(&values(&view.answers), &[50.02, 50.04], 1e-9) && view.answers[2].answer.figures.is_empty());
-    assert_eq!(view.unfit.len(), 2, "{:?}", view.unfit);
+    // the headings are known although the columns are named by their numbers
+    assert_eq!(view.unfit.len(), 0, "{:?}", view.unfit);
     let view = of("12 _OVR[5] 0.01\n12 _OVR[4] 50.01\n13 _OVR[4] 50.02\n", &results);
     assert!(near(&values(&view.answers), &[50.01, 0.01, 50.02], 1e-9), "{:?}", view.unfit);
 }
