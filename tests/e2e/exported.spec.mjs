@@ -64,6 +64,11 @@ describe("the check of a machine", () => {
     await counts(page.locator(".paper .exported-fault"), 2);
     await page.evaluate(() => dispatchEvent(new Event("afterprint")));
     await counts(page.locator(".paper"), 0);
+    await page.evaluate(() => dispatchEvent(new Event("beforeprint"))); // the browser's own command
+    await counts(page.locator(".paper .exported-fault"), 2);
+    await counts(page.locator(".sheet-program"), 0);
+    await page.evaluate(() => dispatchEvent(new Event("afterprint")));
+    await counts(page.locator(".paper"), 0);
     await shown.getByLabel("Measuring in JOG").uncheck();
     await shown.getByText("Nothing is missing in the data that were compared.").waitFor();
     const data = await page.evaluateHandle(() => {

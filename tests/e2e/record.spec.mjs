@@ -25,8 +25,8 @@ async function saved(page, button) {
   return { name: download.suggestedFilename(), text: await readFile(await download.path(), "utf8") };
 }
 
-/** The hole of the example, measured on its machine. */
-async function measured(chrome, options = {}) {
+/** The hole of the example, measured on its machine, so many times. */
+async function measured(chrome, options = {}, times = 1) {
   const started = await open(chrome.browser, options);
   const { page } = started;
   await page.locator(".results tbody tr").first().waitFor({ state: "attached" });
@@ -34,7 +34,12 @@ async function measured(chrome, options = {}) {
     .locator('input[type=file][accept*="json"]')
     .first()
     .setInputFiles({ name: "setup.json", mimeType: "application/json", buffer: example });
-  await run(page, scenario.program.name, scenario.program.text);
+  const calls = Array.from({ length: times }, () => "CYCLE977\n").join("");
+  await run(
+    page,
+    scenario.program.name,
+    scenario.program.text.replace(/^.*CYCLE977.*\n/m, line => line + calls.slice(9)),
+  );
   return started;
 }
 
@@ -85,6 +90,29 @@ describe("the record of a run", () => {
   });
 });
 
+describe("the record of several measurements", () => {
+  const chrome = shared("webgl2", { before, after });
+
+  // oracle: hand: a sheet a part, with a picture of which something is to be seen
+  test("of one part has room on a sheet", async () => {
+    const { context, page, problems } = await measured(chrome, {}, 5);
+    await page.evaluate(() => {
+      window.print = () => undefined;
+    });
+    await page.emulateMedia({ media: "print" });
+    const sheet = page.locator(".record-sheet");
+    for (const format of ["A4", "Letter"]) {
+      await page.locator('.whole-top button:has-text("Print record")').evaluate(button => button.click());
+      await sheet.waitFor();
+      assert.equal(await sheet.locator(".record-call").count(), 5);
+      const pdf = await page.pdf({ preferCSSPageSize: true, format });
+      assert.equal(pdf.toString("latin1").match(/\/Type\s*\/Page\b/g)?.length, 1, format);
+    }
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+});
+
 describe("a protocol of the machine", () => {
   const chrome = shared("webgl2", { before, after });
 
@@ -99,7 +127,7 @@ describe("a protocol of the machine", () => {
     await page.locator('.protocol-top:has-text("1 line of the protocol fits")').waitFor();
     await page.locator('.whole-row[data-verdict="scrap"]:has-text("132.150")').waitFor();
     await page.locator('.answer-line:has-text("132.150"):has-text("real.csv")').waitFor();
-    assert.match(await page.locator(".protocol-lines summary").textContent(), /2/);
+    assert.match(await page.locator(".protocol-lines summary").textContent(), /1/);
     assert.match(await page.locator(".protocol-lines").textContent(), /Platz;77;77,2/);
     await page.waitForFunction(() => document.querySelectorAll(".stage path.arrow").length === 4);
     const { text } = await saved(page, "CSV");

@@ -92,6 +92,13 @@ describe("scenarios", () => {
       for (const [source, least] of kinds) {
         assert.ok(sources.filter(one => source.test(one)).length >= least, `${source}: ${sources}`);
       }
+      // the button that stops them is gone when it is pressed: the focus comes back to the one that carried them out
+      const again = page.locator(".scenarios-ways button", { hasText: check });
+      await again.focus();
+      await page.keyboard.press("Enter");
+      await page.locator(".scenarios progress + button").focus();
+      await page.keyboard.press("Enter");
+      await page.locator(".scenarios-ways button:focus", { hasText: check }).waitFor();
       assert.deepEqual(problems, []);
       await context.close();
     }

@@ -10,6 +10,45 @@ const axe = packages.resolve("axe-core/axe.min.js");
 describe("a series of parts", () => {
   const chrome = shared("neither", { before, after });
 
+  // oracle: hand: what was pressed has the focus again; the browser's own command prints what the button prints
+  test("keeps the focus, and prints the same by its button and by the browser", async () => {
+    const { context, page, problems } = await start(chrome);
+    await page.keyboard.press("Control+k");
+    await page.locator("#palette-search").fill("Series of parts");
+    await page.locator(".palette-item", { hasText: "Series of parts" }).first().click();
+    const shown = page.getByRole("dialog", { name: "Series of parts" });
+    await shown.waitFor();
+    await shown.locator(".series-fields input:focus, .series-fields select:focus").waitFor();
+    for (const name of ["Example: mean value", "Run series"]) {
+      await shown.getByRole("button", { name }).focus();
+      await page.keyboard.press("Enter");
+      await shown.getByRole("button", { name: "Stop" }).waitFor({ state: "hidden" });
+      await shown.locator("button:focus", { hasText: name }).waitFor();
+    }
+    const paper = page.locator(".series-paper");
+    const printed = async bring => {
+      await bring();
+      await paper.waitFor({ state: "attached" });
+      const told = await paper.evaluate(sheet => sheet.innerHTML.replace(/<!--.*?-->/g, ""));
+      await page.emulateMedia({ media: "print" });
+      assert.equal(await shown.isVisible(), false);
+      await page.emulateMedia({ media: null });
+      await page.evaluate(() => dispatchEvent(new Event("afterprint")));
+      await paper.waitFor({ state: "detached" });
+      return told;
+    };
+    await page.evaluate(() => {
+      window.print = () => dispatchEvent(new Event("beforeprint"));
+    });
+    const byButton = await printed(() => shown.getByRole("button", { name: "Print" }).click());
+    assert.equal(await printed(() => page.evaluate(() => print())), byButton);
+    await shown.getByRole("button", { name: "Close" }).click();
+    await page.evaluate(() => print());
+    assert.equal(await paper.count(), 0);
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
   // oracle: manual B:1265-1284 (rows that its misprint leaves alone); weight 1 corrects each part above _TZL
   test("shows the mean value of the manual's table with weight 3 and weight 1, and its alarms", async () => {
     const { context, page, problems } = await start(chrome, { bypassCSP: true });

@@ -51,6 +51,13 @@ export function show(node: Element, visible: boolean): void {
   setAttribute(node, "hidden", !visible);
 }
 
+/** A button that is off gives the focus to another element: a reader of the keyboard is not sent to the page's start. */
+export function setOff(button: HTMLButtonElement, off: boolean, instead: HTMLElement): void {
+  const held = off && button.matches(":focus");
+  button.disabled = off;
+  if (held) instead.focus();
+}
+
 /** Listeners see the element that they were put on. */
 export function on<K extends keyof HTMLElementEventMap>(
   node: HTMLElement,

@@ -231,7 +231,7 @@ fn a_protocol_of_the_machine_becomes_the_record() {
     assert_eq!(row[5..12], ["132", "-0.1", "0.1", "132.12", "0.12", "1.2", "mm"], "{text}");
     assert_eq!(row[12..14], ["beyond", "Scrap"], "{text}");
     assert!(text.lines().count() == 2 && row[14].is_empty(), "{text}");
-    assert!(out(&output).contains("real.txt:1: No measured value"), "{}", out(&output));
+    assert!(out(&output).contains("real.txt:1: No setpoint with an actual value"), "{}", out(&output));
     assert!(out(&output).contains("1 line of the protocol fits"), "{}", out(&output));
     // the record that comes of it is a protocol too
     let (_, again) = measured("again", &text, &[]);

@@ -48,6 +48,19 @@ fn a_folder_is_carried_out_whole_and_told_to_other_tools() {
     assert!(report.contains(&format!("<testsuites tests=\"{count}\" failures=\"0\">")), "{}", &report[..200]);
 }
 
+// oracle: hand: each difference of a case is told once
+#[test]
+fn what_stops_a_run_is_told_once() {
+    let endless = r#"{"program":{"name":"a.mpf","text":"N10 WHILE TRUE\nN20 ENDWHILE\nM30\n"},
+        "setup":{"control":"sinumerik","probe":{"radius":3,"length":50}},"cases":[{"id":"loop","expect":{}}]}"#;
+    let endless = file("endless.scenario.json", endless.as_bytes());
+    let junit = file("endless.xml", b"");
+    let told = out(&probewright(&["test", &endless, "--junit", &junit]));
+    for told in [told, std::fs::read_to_string(junit).unwrap()] {
+        assert_eq!(told.matches("The program never ends").count(), 1, "{told}");
+    }
+}
+
 // oracle: hand
 #[test]
 fn what_is_no_scenario_is_told_with_its_place() {

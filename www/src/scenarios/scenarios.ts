@@ -54,6 +54,7 @@ export function createScenarios(
   const prover = createProver(core.module);
   let series: Series | null = null;
   let problem = "";
+  let pressed: HTMLElement | null = null; // by which they are carried out
 
   const stop = (): void => {
     prover.stop();
@@ -115,9 +116,15 @@ export function createScenarios(
   dialog.addEventListener("close", stop);
   end.addEventListener("abort", prover.stop);
 
-  const button = (key: string, icon: Parameters<typeof iconPart>[0], run: () => void, off = false): TemplateResult =>
-    html`<button type="button" ?disabled=${off} @click=${run}>${iconPart(icon)}<span>${t(key)}</span></button>`;
+  const button = (key: string, icon: Parameters<typeof iconPart>[0], run: () => void, off = false): TemplateResult => {
+    const press = (event: Event): void => {
+      pressed = event.currentTarget as HTMLElement;
+      run();
+    };
+    return html`<button type="button" ?disabled=${off} @click=${press}>${iconPart(icon)}<span>${t(key)}</span></button>`;
+  };
   function draw(): void {
+    const held = document.activeElement;
     const empty = !shown()?.derived.program.trim();
     render(
       html`<header><h2 id="scenarios-title">${t("scenarios-title")}</h2>${guidePart("scenarios")}</header>
@@ -135,10 +142,15 @@ export function createScenarios(
         </div>`,
       body,
     );
+    // the button that stops it is gone when it is over
+    if (held && held !== document.body && !held.isConnected) (pressed ?? firstWay())?.focus();
   }
+  const firstWay = (): HTMLElement | null => body.querySelector<HTMLElement>(".scenarios-ways button:enabled");
   const open = (): void => {
     draw();
-    if (!dialog.open) dialog.showModal();
+    if (dialog.open) return;
+    dialog.showModal();
+    firstWay()?.focus(); // else the help beside the title has it
   };
   return {
     open,

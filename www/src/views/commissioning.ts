@@ -5,7 +5,7 @@ import "../styles/terms.css";
 import { html, nothing, render, type TemplateResult } from "lit-html";
 import { live } from "lit-html/directives/live.js";
 import type { ProgramCore } from "../core/program";
-import { el, on } from "../dom";
+import { el, on, setOff } from "../dom";
 import { guideButton } from "../guide";
 import type { Store } from "../state/store";
 import { helpWords, say, sayProblem, t } from "../texts";
@@ -17,7 +17,7 @@ import type {
   ConnectionView,
   Machine,
 } from "../wire";
-import { passingDialog, printBelow, showPassing } from "./passing";
+import { passingDialog, printsWith, showPassing } from "./passing";
 
 const CONNECTIONS = "connections";
 const VERSIONS = "versions";
@@ -125,17 +125,17 @@ export async function openCommissioning(
   };
   const draw = (): void => {
     render(content(), told);
-    again.disabled = !shown()?.steps.some(({ id }) => store.state.machine.steps[id]);
+    setOff(again, !shown()?.steps.some(({ id }) => store.state.machine.steps[id]), way);
   };
   function turn(id: string, done: boolean): void {
     store.update({ machine: { steps: { ...store.state.machine.steps, [id]: done } } });
     draw();
   }
   on(way, "change", draw);
-  on(printing, "click", () => {
+  printsWith(dialog, printing, () => {
     const body = el("div");
     render(content(), body);
-    printBelow("exported", way.selectedOptions[0]?.textContent ?? "", body);
+    return { paper: "exported", title: way.selectedOptions[0]?.textContent ?? "", parts: [body] };
   });
   on(again, "click", () => {
     const own = new Set(shown()?.steps.map(({ id }) => id));

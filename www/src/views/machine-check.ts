@@ -11,7 +11,7 @@ import { readExported, saveFile } from "../state/files";
 import { say, sayProblem, t } from "../texts";
 import type { ExportedFile, MachineCheckView, MachineFault, Severity, Use } from "../wire";
 import { createBraking } from "./braking";
-import { passingDialog, printBelow, showPassing } from "./passing";
+import { type Printed, passingDialog, printsWith, showPassing } from "./passing";
 
 const SEVERITIES: Severity[] = ["error", "warning", "note"];
 const USES = ["jog", "log", "tool-probe"] as const satisfies Use[];
@@ -79,10 +79,10 @@ function listOf({ faults, missing, ending, read }: MachineCheckView): TemplateRe
     }`;
 }
 
-function printList(view: MachineCheckView): void {
+function printedOf(view: MachineCheckView): Printed {
   const list = el("div");
   render(listOf(view), list);
-  printBelow("exported", t("exported-title"), list);
+  return { paper: "exported", title: t("exported-title"), parts: [list] };
 }
 
 /** A box that is checked where the machine has it. */
@@ -209,7 +209,6 @@ export function openMachineCheck(core: () => ProgramCore | null, end: AbortSigna
     void take([...((event as DragEvent).dataTransfer?.files ?? [])]);
   });
   on(saving, "click", () => saveFile(view?.changes ?? "", "changes.tea"));
-  on(printing, "click", () => view && printList(view));
+  printsWith(dialog, printing, () => view && printedOf(view));
   showPassing(dialog, closing, end, () => clearTimeout(waiting));
-  text.focus();
 }

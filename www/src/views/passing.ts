@@ -25,11 +25,34 @@ export function passingDialog(
   );
 }
 
-/** Prints this under its title; the page has one way for paper (`paper.ts`), which clears it when it is printed. */
-export function printBelow(paper: string, title: string, ...parts: Child[]): void {
+/** What stands on paper: its class, its title, and what is below that. */
+export interface Printed {
+  paper: string;
+  title: string;
+  parts: Child[];
+}
+
+/** The page has one way for paper (`paper.ts`), which clears it when it is printed. */
+function put({ paper, title, parts }: Printed): void {
   document.body.append(el("div", { class: `paper ${paper}-paper` }, el("h2", {}, title), ...parts));
   document.documentElement.dataset.paper = paper;
-  print();
+}
+
+/** What the dialog has on paper, by its own button and by the browser's command alike; `make`: none: nothing yet. */
+export function printsWith(dialog: HTMLDialogElement, button: HTMLElement, make: () => Printed | null): void {
+  on(button, "click", () => {
+    const made = make();
+    if (!made) return;
+    put(made);
+    print();
+  });
+  const closed = new AbortController();
+  on(dialog, "close", () => closed.abort());
+  const bring = (): void => {
+    const made = dialog.isConnected && !document.documentElement.dataset.paper ? make() : null;
+    if (made) put(made);
+  };
+  addEventListener("beforeprint", bring, { signal: closed.signal });
 }
 
 /** Shows it until it is closed, or the page ends; `gone`: what then ends with it. */
@@ -43,4 +66,6 @@ export function showPassing(dialog: HTMLDialogElement, closing: HTMLElement, end
   end.addEventListener("abort", drop);
   document.body.append(dialog);
   dialog.showModal();
+  // else the focus is on the help beside the title
+  dialog.querySelector<HTMLElement>("input:not([hidden]), select, textarea")?.focus();
 }

@@ -18,6 +18,7 @@ type Call = RunView["answers"][number];
 type Draw = typeof import("../preview/still");
 const VIEW = { width: 680, height: 330 }; // CSS pixels
 const MOST_NUMBERS = 80; // in the picture
+const ONE_SHEET = 24; // lines of a table with which all of it may have room on a sheet
 const ON = 1 + 1e-6; // share of a limit that is not beyond it
 const WIDE = 60; // of a bar, its units
 
@@ -143,9 +144,10 @@ export function recordSheet(state: State, derived: Derived, shown: RecordShown, 
     ["signature", ""],
   ];
   const sign = signed.map(([key, value]) => el("div", {}, el("dt", {}, word(key)), el("dd", {}, value)));
+  const lines = shown.answers.reduce((sum, { figures }) => sum + Math.max(1, figures.length), 0);
   return el(
     "section",
-    { class: "record-sheet" },
+    { class: lines > ONE_SHEET ? "record-sheet" : "record-sheet one" },
     el("h2", {}, word("title")),
     titles(state, shown),
     table(shown),

@@ -9,7 +9,7 @@ import { el, on, show } from "../dom";
 import { guideButton } from "../guide";
 import { say, sayProblem, t } from "../texts";
 import type { Series, SeriesStart, SeriesView } from "../wire";
-import { printBelow, showPassing } from "./passing";
+import { type Printed, printsWith, showPassing } from "./passing";
 import { PAPER_WIDTH } from "./series-chart";
 import { fieldsOf, type Offered, seriesOf, seriesProblem, type Typed, typedOf } from "./series-fields";
 import { endingOf, resultOf } from "./series-result";
@@ -17,10 +17,10 @@ import { endingOf, resultOf } from "./series-result";
 const LOOK = 250; // ms between two looks at how far it is
 const NOTHING: Series = { runs: 100, seed: 1, mode: "production", vary: [] };
 
-function printResult(view: SeriesView): void {
+function printedOf(view: SeriesView): Printed {
   const body = el("div");
   render(resultOf(view, PAPER_WIDTH), body);
-  printBelow("series", t("runs-title"), el("p", {}, endingOf(view)), body);
+  return { paper: "series", title: t("runs-title"), parts: [el("p", {}, endingOf(view)), body] };
 }
 
 /** What the dialog shows, and its buttons. */
@@ -79,6 +79,7 @@ export function openSeries(core: ProgramCore, asked: SeriesQuestion, end: AbortS
   let typed: Typed = typedOf("why" in start ? NOTHING : start.series, names);
   let view: SeriesView | null = null;
   let looking = 0;
+  let pressed = running; // by which it runs
 
   const draw = (): void => void render(fieldsOf(typed, offered, draw), fields);
   const drawResult = (): void => void render(view ? resultOf(view, result.clientWidth) : nothing, result);
@@ -86,9 +87,11 @@ export function openSeries(core: ProgramCore, asked: SeriesQuestion, end: AbortS
   /** What was running is over. */
   const over = (): void => {
     clearInterval(looking);
+    const held = stopping.matches(":focus");
     show(way, false);
     show(stopping, false);
     show(running, true);
+    if (held) pressed.focus(); // the button that had the focus is gone
   };
   function take(): void {
     const answered = aside.take();
@@ -102,7 +105,7 @@ export function openSeries(core: ProgramCore, asked: SeriesQuestion, end: AbortS
     if (first && view) help.open = false;
     drawResult();
   }
-  const run = (): void => {
+  const run = (by: HTMLButtonElement): void => {
     problem.textContent = "";
     let series: Series;
     try {
@@ -111,6 +114,7 @@ export function openSeries(core: ProgramCore, asked: SeriesQuestion, end: AbortS
       problem.textContent = wrong instanceof Error ? wrong.message : String(wrong);
       return;
     }
+    pressed = by;
     show(way, true);
     show(stopping, true);
     show(running, false);
@@ -123,12 +127,11 @@ export function openSeries(core: ProgramCore, asked: SeriesQuestion, end: AbortS
       way.value = aside.busy()?.share ?? 0;
     }, LOOK);
   };
-  on(running, "click", run);
+  on(running, "click", () => run(running));
   on(stopping, "click", () => {
     aside.stop();
     over();
     status.textContent = t("runs-stopped");
-    running.focus();
   });
   on(shown.example, "click", () => {
     if ("why" in start) return;
@@ -139,9 +142,9 @@ export function openSeries(core: ProgramCore, asked: SeriesQuestion, end: AbortS
     show(text, true);
     text.replaceChildren(el("summary", {}, t("runs-program")), el("pre", {}, program));
     draw();
-    run();
+    run(shown.example);
   });
-  on(printing, "click", () => view && printResult(view));
+  printsWith(dialog, printing, () => view && printedOf(view));
   const wider = new ResizeObserver(drawResult);
   running.disabled = !asked.text.trim() || "why" in start;
   if (!asked.text.trim()) status.textContent = t("runs-no-program");

@@ -98,7 +98,8 @@ export function createSheet(
     () => {
       clear();
       const here = shown();
-      if (!here || document.documentElement.dataset.paper) return;
+      // an open dialog is printed alone
+      if (!here || document.documentElement.dataset.paper || document.querySelector("dialog:modal")) return;
       const { state, derived } = here;
       const head = heading(state, derived);
       const picture = draw && view(stage, state, derived, draw);

@@ -1,7 +1,8 @@
 //! Lines of a protocol laid onto the quantities that the calls of a program measure.
 
-use super::text::{Figure, Line};
-use super::{Column, Columns};
+use super::Columns;
+use super::cells::Cells;
+use super::text::{Fault, Figure, Line};
 use crate::app::run::RunAnswer;
 use crate::message::Message;
 use crate::run::called::Called;
@@ -85,7 +86,9 @@ impl<'a> Fit<'a> {
         for (index, (answer, one)) in calls.iter().zip(called).enumerate().rev() {
             let kind = (answer.call.cycle.unwrap_or_default(), one.inputs.variant);
             by_kind.entry(kind).or_insert_with(Vec::new).push(index);
-            by_line.entry(answer.call.line.unwrap_or_default()).or_insert_with(Vec::new).push(index);
+            if let Some(line) = answer.call.line {
+                by_line.entry(line).or_insert_with(Vec::new).push(index);
+            }
         }
         let mut by_set: BTreeMap<i64, Vec<usize>> = BTreeMap::new();
         for (index, set) in quantities.iter().enumerate().rev().filter_map(|(index, one)| Some((index, one.set?))) {
@@ -121,8 +124,12 @@ impl<'a> Fit<'a> {
         if let Some(doubt) = self.of_block(line) {
             return Ok(doubt);
         }
-        let figures = line.fields.iter().filter_map(|field| line.figure(field)).take(FIGURES);
-        let figures: Vec<Figure> = figures.collect();
+        match line.fault {
+            Some(Fault::Quote) => return Err(Message::new("protocol-quote")),
+            Some(Fault::Comma) => return Err(Message::new("protocol-comma")),
+            None => {}
+        }
+        let figures: Vec<Figure> = line.figures().take(FIGURES).collect();
         if figures.len() < 2 {
             return Err(Message::new("protocol-no-value"));
         }
@@ -249,52 +256,50 @@ impl<'a> Fit<'a> {
         if let Some(heading) = self.heading(line) {
             return heading;
         }
-        let text = |column: &Column| line.fields.get(column.index).map_or("", String::as_str);
-        let number = |column: &Option<Column>| {
-            let Some(column) = column else { return Ok(None) };
-            let bad = || Message::new("protocol-no-number").text("column", &column.name).text("text", text(column));
-            line.figure(text(column)).map(Some).ok_or_else(bad)
-        };
-        let call = self.called(number(&columns.number)?, number(&columns.line)?)?;
-        let (nominal, deviation) = (number(&columns.nominal)?, number(&columns.deviation)?);
-        let name = columns.result.as_ref().map(text);
-        let index = self.quantity(call, name, nominal)?;
-        let set = nominal.map(|figure| figure.value).or(self.quantities[index].set);
-        let actual = match (number(&columns.actual)?, deviation, set) {
-            (Some(actual), Some(by), Some(set))
-                if !(Figure { half: actual.half + by.half, ..by }).is(actual.value - set) =>
-            {
-                return Err(Message::new("protocol-differs").number("by", by.value).number("is", actual.value - set));
-            }
-            (Some(actual), _, _) => actual.value,
-            (None, Some(by), Some(set)) => set + by.value,
-            _ => return Err(Message::new("protocol-no-value")),
-        };
+        let cells = Cells::of(line, columns)?;
+        let call = self.called(cells.number, cells.line)?;
+        let index = self.of_cells(call, &cells)?;
         let own = self.quantities[index].set;
-        let told = nominal.filter(|nominal| own.is_some_and(|own| !nominal.is(own)));
+        let actual = value(&cells, cells.nominal.map(|figure| figure.value).or(own))?;
+        let told = cells.nominal.filter(|nominal| own.is_some_and(|own| !nominal.is(own)));
         let (from, last) = (self.from, self.last);
         self.put(index, line, actual, told);
+        self.quantities[index].marked = is_marked(cells.written).then(|| line.clone());
         if call.is_some() {
             (self.from, self.last) = (from, last);
         }
         Ok(())
     }
 
+    /// The quantity of a line of a table; where only its values are told, it may be that behind the last line.
+    fn of_cells(&mut self, call: Option<usize>, cells: &Cells) -> Result<usize, Unfit> {
+        let found = self.quantity(call, cells.result, cells.nominal);
+        if found.is_ok() || call.is_some() || cells.result.is_some() {
+            return found;
+        }
+        let figures: Vec<Figure> = [cells.nominal, cells.actual, cells.deviation].into_iter().flatten().collect();
+        found.or_else(|why| self.following(&figures).map(|(index, ..)| index).ok_or(why))
+    }
+
     /// The call with this number, or the next one of this line of the program; none: neither is told.
     fn called(&mut self, number: Option<Figure>, line: Option<Figure>) -> Result<Option<usize>, Unfit> {
         if let Some(number) = number {
-            let call = (number.value as usize).checked_sub(1).filter(|call| *call < self.calls.len());
+            let call = whole(number).and_then(|number| number.checked_sub(1));
             let missing = || Message::new("protocol-no-number-of-call").number("number", number.value);
-            return call.map(Some).ok_or_else(missing);
+            let call = call.map(|call| call as usize).filter(|call| *call < self.calls.len()).ok_or_else(missing)?;
+            let own = self.calls[call].call.line;
+            let other = line.filter(|line| own.is_some_and(|own| whole(*line) != Some(own)));
+            return other.map_or(Ok(Some(call)), |line| Err(other_line(number, line, own.unwrap_or_default())));
         }
-        let Some(line) = line.map(|line| line.value as u32) else { return Ok(None) };
+        let Some(line) = line else { return Ok(None) };
+        let missing = || Message::new("protocol-no-line").number("line", line.value);
+        let line = whole(line).ok_or_else(missing)?;
         let (quantities, starts) = (&self.quantities, &self.starts);
         let full = |call: usize| quantities[starts[call]..starts[call + 1]].iter().all(|one| one.actual.is_some());
         let calls = self.by_line.entry(line).or_default();
         while calls.last().is_some_and(|call| full(*call)) {
             calls.pop();
         }
-        let missing = || Message::new("protocol-no-line").number("line", f64::from(line));
         calls.last().copied().map(Some).ok_or_else(missing)
     }
 
@@ -336,6 +341,32 @@ fn doubt(figures: &[Figure]) -> Option<Message> {
     }
     let other = others.iter().find(|other| (other.value - set.value).abs() <= NEAR)?;
     Some(taken("protocol-ambiguous", *set, *actual).number("other", other.value))
+}
+
+/// A number of which there is no half.
+fn whole(figure: Figure) -> Option<u32> {
+    let is_whole = figure.value.fract() == 0.0 && (1.0..=f64::from(u32::MAX)).contains(&figure.value);
+    is_whole.then_some(figure.value as u32)
+}
+
+/// Says that the call with this number is in another line of the program.
+fn other_line(number: Figure, line: Figure, own: u32) -> Message {
+    let told = Message::new("protocol-other-line").number("number", number.value).number("line", line.value);
+    told.number("own", f64::from(own))
+}
+
+/// The actual value of a line of a table; `set`: its setpoint.
+fn value(cells: &Cells, set: Option<f64>) -> Result<f64, Unfit> {
+    match (cells.actual, cells.deviation, set) {
+        (Some(actual), Some(by), Some(set))
+            if !(Figure { half: actual.half + by.half, ..by }).is(actual.value - set) =>
+        {
+            Err(Message::new("protocol-differs").number("by", by.value).number("is", actual.value - set))
+        }
+        (Some(actual), _, _) => Ok(actual.value),
+        (None, Some(by), Some(set)) => Ok(set + by.value),
+        _ => Err(Message::new("protocol-no-value")),
+    }
 }
 
 /// What was taken as setpoint and actual value.

@@ -1,7 +1,7 @@
 //! The headings of a table that somebody else made: which of its columns is which, by the words that such tables use.
 
-use super::ProtocolColumns;
 use super::text::{Figure, Line};
+use super::{Column, Columns};
 
 /// Lines in which the headings of a table are looked for.
 pub const HEAD: usize = 100;
@@ -16,32 +16,61 @@ const NOMINAL: &[&str] = &[
 ];
 const ACTUAL: &[&str] = &[
     "actual", "act", "act.", "actual value", "act. value", "measured", "measured value", "ist", "istwert", "ist-wert",
-    "messwert", "gemessen", "实际值", "实测值", "测量值",
+    "messwert", "gemessen", "value", "reading", "wert", "实际值", "实测值", "测量值",
 ];
 const DEVIATION: &[&str] = &[
     "deviation", "dev", "dev.", "difference", "diff", "diff.", "abweichung", "abw", "abw.", "differenz", "偏差", "差值",
 ];
 
-/// The columns that the headings of a table name, and the line of the headings; none: it is no such table, or one block
-/// of the control's own log after the other, which say themselves what they are (B:11486-11512).
-pub fn recognised(lines: &[Line]) -> Option<(ProtocolColumns, &Line)> {
+/// The columns that each line of headings names, by the index of the line; none: it is no such table, or one block of
+/// the control's own log after the other, which say themselves what they are (B:11486-11512).
+pub fn recognised(lines: &[Line]) -> Vec<(usize, Columns)> {
     let own_log = lines.iter().any(|line| line.fields.iter().any(|field| field == "_MVAR"));
     if own_log {
-        return None;
+        return Vec::new();
     }
-    lines.iter().take(HEAD).find_map(|line| Some((named(line)?, line)))
+    let named = |(at, line): (usize, &Line)| Some((at, table(line, &lines[at + 1..])?));
+    let Some(first) = lines.iter().enumerate().take(HEAD).find_map(named) else { return Vec::new() };
+    let others = lines.iter().enumerate().skip(first.0 + 1).filter_map(named);
+    std::iter::once(first.clone()).chain(others).collect()
 }
 
-/// The columns of a line of headings; none: it is another line.
-fn named(line: &Line) -> Option<ProtocolColumns> {
+/// Lines behind words that blanks part, in which the figures of a table are looked for.
+const NEAR: usize = 6;
+
+fn figure(line: &Line, column: &Column) -> Option<Figure> {
+    line.fields.get(column.index).and_then(|field| Figure::of(field))
+}
+
+/// The columns of a line of headings above these lines; none: it is another line. Words that blanks part could be a
+/// sentence: below them a line has a figure in each column that is named.
+fn table(heads: &Line, below: &[Line]) -> Option<Columns> {
+    let found = named(heads)?;
+    // `Nr` above names is no number of a call
+    let numbered = |column: &Column| below.iter().take(HEAD).any(|line| figure(line, column).is_some());
+    let found = Columns { number: found.number.filter(numbered), ..found };
+    let values = found.actual.is_some() || found.nominal.is_some() && found.deviation.is_some();
+    let Columns { number, line, result, nominal, deviation, .. } = &found;
+    let places = [number, line, result, nominal, deviation].into_iter().any(Option::is_some);
+    // a line of the program is named by no sentence with signs between its words, and says which call is meant
+    let of_line = line.is_some() && heads.parted.is_some() && heads.fields.len() > 1;
+    let of_table = |line: &Line| {
+        line.fields.len() == heads.fields.len() && found.figures().all(|column| figure(line, column).is_some())
+    };
+    let holds = heads.parted.is_some() || below.iter().take(NEAR).any(of_table);
+    ((values && places || of_line) && holds).then_some(found)
+}
+
+/// The columns that the words of a line name; none: it has a figure, or none of them.
+fn named(line: &Line) -> Option<Columns> {
     if line.fields.iter().any(|field| Figure::of(field).is_some()) {
         return None;
     }
     let find = |words: &[&str]| {
-        let heading = |field: &&String| words.contains(&plain(field).as_str());
-        line.fields.iter().find(heading).cloned()
+        let index = line.fields.iter().position(|field| words.contains(&plain(field).as_str()))?;
+        Some(Column { index, name: line.fields[index].clone() })
     };
-    let found = ProtocolColumns {
+    let found = Columns {
         number: find(NUMBER),
         line: find(LINE),
         result: find(RESULT),
@@ -49,12 +78,8 @@ fn named(line: &Line) -> Option<ProtocolColumns> {
         actual: find(ACTUAL),
         deviation: find(DEVIATION),
     };
-    // the number of the call says more than its line
-    let line = found.line.filter(|_| found.number.is_none());
-    let found = ProtocolColumns { line, ..found };
-    let values = found.actual.is_some() || found.nominal.is_some() && found.deviation.is_some();
-    let places = [&found.number, &found.line, &found.result, &found.nominal, &found.deviation];
-    (values && places.into_iter().any(Option::is_some)).then_some(found)
+    let is_known = found.all().next().is_some();
+    is_known.then_some(found)
 }
 
 /// A heading without the unit behind it: `Actual [mm]`, `Ist (mm)`.

@@ -2,6 +2,7 @@
 //! values that were measured.
 
 mod arrows;
+mod cells;
 mod fit;
 mod gaps;
 mod heads;
@@ -24,7 +25,7 @@ use fit::{Fit, Quantity};
 use heads::HEAD;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
-use text::{Line, lines};
+use text::{Fault, Figure, Line, lines};
 
 /// Most lines of a protocol.
 const MOST: usize = 1_000_000;
@@ -165,24 +166,14 @@ pub fn laid(
         return Err(Error::new("protocol-large", Path::default()).number("most", MOST as f64));
     }
     let first = lines.first().ok_or_else(|| refused("protocol-empty"))?;
-    let lay = |columns: Option<(Columns, usize)>| Lay::of(&lines, columns.as_ref(), Fit::new(&calls, &outcome.called));
-    let (mut heads, mut recognised) = (first.fields.clone(), ProtocolColumns::default());
-    let laid = match columns {
-        Some(names) => lay(Some(Columns::of(names, &lines)?)),
-        None => {
-            let plain = lay(None);
-            let known =
-                heads::recognised(&lines).and_then(|(names, line)| Some((Columns::of(&names, &lines).ok()?, line)));
-            let by_heads = known.map(|(columns, line)| (columns.0.numbers(), line, lay(Some(columns))));
-            match by_heads.filter(|(.., by_heads)| by_heads.fitted > plain.fitted) {
-                Some((numbers, line, by_heads)) => {
-                    (heads, recognised) = (line.fields.clone(), numbers);
-                    by_heads
-                }
-                None => plain,
-            }
-        }
+    let tables = match columns {
+        Some(names) => Table::chosen(names, &lines)?,
+        None => heads::recognised(&lines).into_iter().map(|(at, columns)| Table::below(at, columns, &lines)).collect(),
     };
+    let head = tables.first().filter(|_| columns.is_none());
+    let heads = head.and_then(|table| Some(&lines[table.head?])).unwrap_or(first).fields.clone();
+    let recognised = head.map(|table| table.columns.numbers()).unwrap_or_default();
+    let laid = Lay::of(&lines, &tables, Fit::new(&calls, &outcome.called));
     let Lay { quantities, fitted, unfit, mut doubtful } = laid;
     let mut values: BTreeMap<usize, Values> = BTreeMap::new();
     for one in &quantities {
@@ -230,14 +221,22 @@ struct Lay {
 }
 
 impl Lay {
-    /// With the columns and the number of lines above their values; none: the figures of a line tell what they are.
-    fn of(lines: &[Line], columns: Option<&(Columns, usize)>, mut fit: Fit) -> Lay {
+    /// Below headings, by them; where there are none the figures of a line tell what they are.
+    fn of(lines: &[Line], tables: &[Table], mut fit: Fit) -> Lay {
         let (mut fitted, mut unfit, mut doubtful) = (0, Vec::new(), Vec::new());
+        let mut below = tables.iter().peekable();
+        let mut table: Option<&Table> = None;
         for (at, line) in lines.iter().enumerate() {
-            let tried = match columns {
-                Some((_, behind)) if at < *behind => continue,
-                Some((columns, _)) => fit.row(line, columns).map(|()| None),
-                None => fit.plain(line),
+            while let Some(next) = below.next_if(|next| next.from <= at) {
+                table = Some(next);
+            }
+            let is_head = below.peek().is_some_and(|next| next.head == Some(at));
+            let tried = match table {
+                _ if is_head => continue,
+                Some(table) => table.row(line, &mut fit),
+                None if tables.is_empty() => fit.plain(line),
+                None if line.figures().nth(1).is_none() => continue,
+                None => Err(Message::new("protocol-above")),
             };
             let told = |why| ProtocolLine::of(line, why);
             match tried {
@@ -249,6 +248,62 @@ impl Lay {
             }
         }
         Lay { quantities: fit.quantities, fitted, unfit, doubtful }
+    }
+}
+
+/// Lines of which it is known what stands in which column, as far as the next ones.
+struct Table {
+    columns: Columns,
+    /// Index of the line of its headings, and of its first line.
+    head: Option<usize>,
+    from: usize,
+    /// How many columns have a heading.
+    width: Option<usize>,
+}
+
+impl Table {
+    /// The lines below this line of headings.
+    fn below(head: usize, columns: Columns, lines: &[Line]) -> Table {
+        let width = lines[head].fields.iter().rposition(|field| !field.is_empty()).map(|last| last + 1);
+        Table { columns, head: Some(head), from: head + 1, width }
+    }
+
+    /// Those whose columns are chosen, by their headings or by their numbers.
+    fn chosen(names: &ProtocolColumns, lines: &[Line]) -> Result<Vec<Table>, Error> {
+        let (columns, head) = Columns::of(names, lines)?;
+        if let Some(head) = head {
+            let others = lines.iter().enumerate().skip(head + 1);
+            let again = others.filter_map(|(at, line)| Some(Table::below(at, Columns::at(names, line)?, lines)));
+            return Ok(std::iter::once(Table::below(head, columns, lines)).chain(again).collect());
+        }
+        let known = heads::recognised(lines).into_iter();
+        let tables: Vec<Table> = known.map(|(at, _)| Table::below(at, columns.clone(), lines)).collect();
+        let whole = || vec![Table { columns, head: None, from: 0, width: None }];
+        Ok(if tables.is_empty() { whole() } else { tables })
+    }
+
+    /// Lays a line of it.
+    fn row(&self, line: &Line, fit: &mut Fit) -> Result<Option<Message>, Message> {
+        let cells = line.fields.iter().rposition(|field| !field.is_empty()).map_or(0, |last| last + 1);
+        match self.width.filter(|width| cells > *width) {
+            Some(width) => {
+                let key = if line.parted == Some(',') { "protocol-wide" } else { "protocol-cells" };
+                Err(Message::new(key).number("cells", cells as f64).number("heads", width as f64))
+            }
+            None if line.fault == Some(Fault::Comma) && self.width.is_none() && self.is_cut(line) => {
+                Err(Message::new("protocol-comma"))
+            }
+            None => fit.row(line, &self.columns).map(|()| None),
+        }
+    }
+
+    /// Whether behind a value stands a figure of which nobody says what it is: it may be its decimals.
+    fn is_cut(&self, line: &Line) -> bool {
+        let Columns { nominal, actual, deviation, .. } = &self.columns;
+        let taken = |index: usize| self.columns.all().any(|column| column.index == index);
+        let figure = |index: usize| line.fields.get(index).is_some_and(|field| Figure::of(field).is_some());
+        let values = [nominal, actual, deviation].into_iter().flatten();
+        values.map(|column| column.index + 1).any(|next| !taken(next) && figure(next))
     }
 }
 
@@ -278,6 +333,17 @@ fn refused(key: &'static str) -> Error {
 }
 
 impl Columns {
+    fn all(&self) -> impl Iterator<Item = &Column> {
+        let Columns { number, line, result, nominal, actual, deviation } = self;
+        [number, line, result, nominal, actual, deviation].into_iter().flatten()
+    }
+
+    /// Those that hold figures.
+    fn figures(&self) -> impl Iterator<Item = &Column> {
+        let Columns { number, line, nominal, actual, deviation, .. } = self;
+        [number, line, nominal, actual, deviation].into_iter().flatten()
+    }
+
     /// Each by its number from 1.
     fn numbers(&self) -> ProtocolColumns {
         let number = |column: &Option<Column>| column.as_ref().map(|column| (column.index + 1).to_string());
@@ -291,39 +357,56 @@ impl Columns {
         }
     }
 
-    /// The columns that are named, and how many lines stand above their values.
-    fn of(names: &ProtocolColumns, lines: &[Line]) -> Result<(Columns, usize), Error> {
-        let all = [&names.number, &names.line, &names.result, &names.nominal, &names.actual, &names.deviation];
-        let named: Vec<&str> = all.into_iter().flatten().map(String::as_str).collect();
+    /// The columns that are named, and the index of the line of their headings; none: all are numbers.
+    fn of(names: &ProtocolColumns, lines: &[Line]) -> Result<(Columns, Option<usize>), Error> {
         if names.actual.is_none() && (names.deviation.is_none() || names.nominal.is_none()) {
             return Err(refused("protocol-no-actual"));
         }
-        let by_number = |name: &str| name.trim().parse::<usize>().ok().filter(|number| *number > 0);
-        let place = |name: &str, line: &Line| {
-            let same = |field: &String| field.eq_ignore_ascii_case(name.trim());
-            by_number(name).map(|number| number - 1).or_else(|| line.fields.iter().position(same))
-        };
-        let holds = |line: &&Line| named.iter().all(|name| by_number(name).is_some() || place(name, line).is_some());
-        let Some((at, head)) = lines.iter().take(HEAD).enumerate().find(|(_, line)| holds(line)) else {
+        let named: Vec<&str> = names.all().collect();
+        let found = lines.iter().take(HEAD).enumerate().find_map(|(at, line)| Some((at, Columns::at(names, line)?)));
+        let Some((at, columns)) = found else {
             let first = lines.first();
             let missing = |name: &&&str| first.is_none_or(|line| place(name, line).is_none());
             let name = named.iter().find(missing).copied().unwrap_or_default();
             let fields = first.map_or_else(String::new, |line| line.fields.join(" | "));
             return Err(Error::new("protocol-no-column", Path::default()).text("name", name).text("fields", fields));
         };
+        let headed = named.iter().any(|name| by_number(name).is_none());
+        Ok((columns, headed.then_some(at)))
+    }
+
+    /// The columns that are named, as they stand below this line; none: it has not all the headings.
+    fn at(names: &ProtocolColumns, line: &Line) -> Option<Columns> {
+        names.all().all(|name| place(name, line).is_some()).then_some(())?;
         let column = |name: &Option<String>| {
             let name = name.as_ref()?;
-            Some(Column { index: place(name, head)?, name: name.clone() })
+            Some(Column { index: place(name, line)?, name: name.clone() })
         };
-        let columns = Columns {
+        Some(Columns {
             number: column(&names.number),
             line: column(&names.line),
             result: column(&names.result),
             nominal: column(&names.nominal),
             actual: column(&names.actual),
             deviation: column(&names.deviation),
-        };
-        let headed = named.iter().any(|name| by_number(name).is_none());
-        Ok((columns, if headed { at + 1 } else { 0 }))
+        })
     }
+}
+
+impl ProtocolColumns {
+    fn all(&self) -> impl Iterator<Item = &str> {
+        let ProtocolColumns { number, line, result, nominal, actual, deviation } = self;
+        [number, line, result, nominal, actual, deviation].into_iter().flatten().map(String::as_str)
+    }
+}
+
+/// The number from 1 by which a column is named.
+fn by_number(name: &str) -> Option<usize> {
+    name.trim().parse().ok().filter(|number| *number > 0)
+}
+
+/// Index of the column with this number or heading.
+fn place(name: &str, line: &Line) -> Option<usize> {
+    let same = |field: &String| field.eq_ignore_ascii_case(name.trim());
+    by_number(name).map(|number| number - 1).or_else(|| line.fields.iter().position(same))
 }

@@ -17,7 +17,12 @@ pub fn differences(expected: &Expected, outcome: &Outcome) -> Vec<Message> {
     held.stop(expected.stop.as_ref(), outcome.stop.as_ref());
     if expected.stop.is_none() {
         let errors = outcome.diagnostics.iter().filter(|one| one.severity == Severity::Error);
-        held.found.extend(errors.map(|one| one.message.clone()));
+        // what stopped the run is one of them, and told already
+        for one in errors {
+            if !held.found.contains(&one.message) {
+                held.found.push(one.message.clone());
+            }
+        }
     }
     if let Some(alarms) = &expected.alarms {
         held.alarms(alarms, outcome);
