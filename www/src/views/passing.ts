@@ -38,13 +38,17 @@ function put({ paper, title, parts }: Printed): void {
   document.documentElement.dataset.paper = paper;
 }
 
+/** Prints it. */
+export function printNow(made: Printed): void {
+  put(made);
+  print();
+}
+
 /** What the dialog has on paper, by its own button and by the browser's command alike; `make`: none: nothing yet. */
 export function printsWith(dialog: HTMLDialogElement, button: HTMLElement, make: () => Printed | null): void {
   on(button, "click", () => {
     const made = make();
-    if (!made) return;
-    put(made);
-    print();
+    if (made) printNow(made);
   });
   const closed = new AbortController();
   on(dialog, "close", () => closed.abort());

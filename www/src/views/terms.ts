@@ -8,7 +8,7 @@ import { el, on, setText, show } from "../dom";
 import { glossed } from "../glossary";
 import { helpWords, optional, say, t } from "../texts";
 import type { ConceptView, GuideView, Message, TermsView, TermView } from "../wire";
-import { passingDialog, printBelow, showPassing } from "./passing";
+import { passingDialog, printNow, showPassing } from "./passing";
 import { createTermPicture, printedPicture, type TermPicture } from "./term-picture";
 
 /** What the search finds, and where. */
@@ -59,14 +59,9 @@ function page(core: ProgramCore, concept: ConceptView): HTMLDetailsElement {
 function printPage(core: ProgramCore, concept: ConceptView, value: number | undefined): void {
   const { id, title, lines, names, source, example, still } = concept;
   const picture = example ? printedPicture(core, id, example, value ?? example.value) : null;
-  printBelow(
-    "concept",
-    say(title),
-    ...lines.map(line => el("p", {}, say(line))),
-    picture,
-    still ? el("p", {}, say(still)) : null,
-    place(names, source),
-  );
+  const told = lines.map(line => el("p", {}, say(line)));
+  const parts = [...told, picture, still ? el("p", {}, say(still)) : null, place(names, source)];
+  printNow({ paper: "concept", title: say(title), parts });
 }
 
 /** `go`: leads to what it tells about; null: from there it was opened. */
