@@ -349,6 +349,9 @@ concept-told-mean = { $count ->
         [one] Eines der zehn Teile führt zu einer Korrektur. Danach beginnt der Mittelwert wieder bei 0.
        *[other] { $count } der zehn Teile führen zu einer Korrektur. Danach beginnt der Mittelwert jeweils wieder bei 0.
     }
+concept-told-latched = Der gespeicherte Wert bleibt, wo der Messtaster geschaltet hat. Die Achse hält { $path } mm dahinter; diese Stelle liest niemand.
+concept-told-travel = In 1 ms fährt die Achse { $path } mm. Die Steuerung selbst wiederholt auf ±0,001 mm (das Band).
+concept-told-units = Metrische Steuerung, G70 aktiv: _SETVAL={ $inches } sind { $length } mm, _TSA=1 und _FA=1 je 1 mm.
 concept-told-empirical = Die gemessene Differenz { $measured } mm zählt als { $counts } mm.
 concept-told-mono = { $beside ->
         [0] Der Messtaster tastet in seiner Schaltrichtung an.
@@ -366,6 +369,4 @@ concept-still-same = Kein Bild: Ohne Transformation ist es das Maschinenkoordina
 concept-still-transformation = Kein Bild: Eine Transformation ist an keinem Werkstück zu sehen.
 concept-still-table = Kein Bild: Das hängt von der Maschine ab, nicht von einer Position.
 concept-still-electrical = Kein Bild: Das ist elektrisch, nichts bewegt sich.
-concept-still-errors = Kein Bild: Diese Fehler sind kleiner, als ein Bild zeigt.
 concept-still-memory = Kein Bild: Das ist Speicher der Steuerung.
-concept-still-unit = Kein Bild: Es ist dieselbe Länge in einer anderen Einheit.

@@ -349,6 +349,9 @@ concept-told-mean = { $count ->
         [one] One of the ten parts leads to a correction. The mean value then restarts at 0.
        *[other] { $count } of the ten parts lead to a correction. After each, the mean value restarts at 0.
     }
+concept-told-latched = The stored value stays where the probe switched. The axis stops { $path } mm further on, and nobody reads that place.
+concept-told-travel = In 1 ms the axis moves { $path } mm. The control itself repeats to ±0.001 mm (the band).
+concept-told-units = Metric control, G70 active: _SETVAL={ $inches } is { $length } mm, _TSA=1 and _FA=1 are 1 mm each.
 concept-told-empirical = The measured difference { $measured } mm counts as { $counts } mm.
 concept-told-mono = { $beside ->
         [0] The probe touches in its switching direction.
@@ -366,6 +369,4 @@ concept-still-same = No picture: without a transformation it is the machine coor
 concept-still-transformation = No picture: no part shows a transformation.
 concept-still-table = No picture: this depends on the machine, not on a position.
 concept-still-electrical = No picture: this is electrical, and nothing moves.
-concept-still-errors = No picture: these errors are smaller than a picture shows.
 concept-still-memory = No picture: this is memory of the control.
-concept-still-unit = No picture: it is the same length in another unit.

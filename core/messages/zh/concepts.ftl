@@ -348,6 +348,9 @@ concept-told-mean = { $count ->
         [0] 采用该加权系数时，十个工件均不引起补偿。
        *[other] 十个工件中有 { $count } 个引起补偿。每次补偿后，平均值从 0 重新开始。
     }
+concept-told-latched = 存储的值停在测头触发的位置。轴在其后 { $path } mm 处停下，该位置不被读取。
+concept-told-travel = 1 ms 内轴移动 { $path } mm。控制系统本身的重复精度为 ±0.001 mm（色带）。
+concept-told-units = 公制控制系统，G70 有效：_SETVAL={ $inches } 为 { $length } mm，_TSA=1 和 _FA=1 各为 1 mm。
 concept-told-empirical = 测得的差值 { $measured } mm 按 { $counts } mm 计算。
 concept-told-mono = { $beside ->
         [0] 测头沿其触发方向接触。
@@ -365,6 +368,4 @@ concept-still-same = 无图：没有坐标变换时，它就是机床坐标系�
 concept-still-transformation = 无图：工件上看不到坐标变换。
 concept-still-table = 无图：这取决于机床，而不是位置。
 concept-still-electrical = 无图：这是电气内容，没有运动。
-concept-still-errors = 无图：这些误差小到图中看不出。
 concept-still-memory = 无图：这是控制系统的存储器。
-concept-still-unit = 无图：是同一长度，只是单位不同。

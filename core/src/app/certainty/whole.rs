@@ -95,7 +95,7 @@ pub fn whole_certainty(
     let calibrates = outcome.called.iter().any(|called| !Cause::Calibration.concerns(&called.inputs, setup));
     if causes.len() > 1 {
         sets.extend(causes.iter().map(|cause| (vec![*cause], alone(runs))));
-        sets.extend((calibrates && anew.len() < causes.len()).then(|| (anew, runs)));
+        sets.extend((calibrates && anew.len() < causes.len()).then_some((anew, runs)));
     }
     let all: u32 = sets.iter().map(|(_, runs)| runs).sum();
     let mut done = 0;

@@ -37,6 +37,10 @@ const SEATED: f64 = -12.0;
 /// What nine touches of one place differ from it, µm, and the standard deviation of the probe that gave them.
 const TOUCHES: [f64; 9] = [1.2, -0.7, 0.6, -1.5, 0.2, 1.8, -0.4, -1.1, 0.8];
 const SCATTER: f64 = 1.1;
+/// What the control repeats when it measures on the fly, mm (B:16760).
+const REPEATS: f64 = 0.001;
+/// mm of an inch.
+const INCH: f64 = 25.4;
 /// Parts of the paper: radius of a point, and paper for a mm where hundredths matter.
 const POINT: f64 = 1.4;
 const FINE: f64 = 1000.0;
@@ -55,6 +59,9 @@ pub enum Sketch {
     Repeated,
     Systems,
     Lengths,
+    Latched,
+    Travel,
+    Units,
 }
 
 impl Sketch {
@@ -68,6 +75,9 @@ impl Sketch {
             "sketch/repeated" => Some(Sketch::Repeated),
             "sketch/systems" => Some(Sketch::Systems),
             "sketch/lengths" => Some(Sketch::Lengths),
+            "sketch/latched" => Some(Sketch::Latched),
+            "sketch/travel" => Some(Sketch::Travel),
+            "sketch/units" => Some(Sketch::Units),
             _ => None,
         }
     }
@@ -77,7 +87,10 @@ impl Sketch {
             Sketch::Mean => ("_K", "param-k", "", 1.0, 2.0),
             Sketch::Empirical => ("_EV", "concept-empirical-value", "mm", 0.001, 0.02),
             Sketch::Chain => ("", "concept-drag-difference", "mm", 0.001, 0.03),
-            Sketch::Braking => ("", "concept-drag-feed", "mm/min", 10.0, (example.from + example.to) / 2.0),
+            Sketch::Braking | Sketch::Latched | Sketch::Travel => {
+                ("", "concept-drag-feed", "mm/min", 10.0, (example.from + example.to) / 2.0)
+            }
+            Sketch::Units => ("_SETVAL", "param-setval", "inch", 0.05, 1.0),
             Sketch::Mono => ("_CORA", "param-cora", "deg", 1.0, 0.0),
             Sketch::Repeated => ("_NMSP", "param-nmsp", "", 1.0, 3.0),
             Sketch::Systems => ("", "concept-drag-offset", "mm", 1.0, 100.0),
@@ -97,6 +110,9 @@ impl Sketch {
             Sketch::Repeated => of_repeated(value.round()),
             Sketch::Systems => of_systems(value),
             Sketch::Lengths => of_lengths(value.round()),
+            Sketch::Latched => of_latched(value),
+            Sketch::Travel => of_travel(value),
+            Sketch::Units => of_units(value),
         }
     }
 }
@@ -279,6 +295,52 @@ fn of_lengths(number: f64) -> ConceptPicture {
         .text("turning", turning[0])
         .text("along", turning[1]);
     ConceptPicture { picture, values: Typed::new(), told: Some(told) }
+}
+
+/// The position that is stored as the probe switches, and the ball where the axis stands at last (B:1092-1095).
+fn of_latched(feed: f64) -> ConceptPicture {
+    let stops = AXIS.parts(feed).sum();
+    let size = 0.6; // of the drawing, mm: a stylus ball
+    let shapes = vec![
+        line(ShapeKind::Edge, vec![[size, -3.0 * size], [size, 3.0 * size]]),
+        circle(ShapeKind::Probe, [stops, 0.0], size),
+        line(ShapeKind::Path, vec![[-6.0 * size, 0.0], [stops, 0.0]]),
+        circle(ShapeKind::Touch, [0.0, 0.0], size / 4.0).text("_OVR"),
+        line(ShapeKind::Dimension, vec![[0.0, 4.0 * size], [stops, 4.0 * size]]),
+    ];
+    plane(shapes, Typed::new(), Message::new("concept-told-latched").number("path", rounded(stops)))
+}
+
+/// How far the axis moves until the value is stored, for a signal that takes a millisecond (B:1202), beside what
+/// the control itself repeats (B:16760), µm.
+fn of_travel(feed: f64) -> ConceptPicture {
+    let travel = feed / 60_000.0;
+    let at = travel * FINE;
+    let shapes = vec![
+        rectangle(ShapeKind::Tolerance, [at, 0.0], [2.0 * REPEATS * FINE, 4.0]),
+        line(ShapeKind::Edge, vec![[0.0, -4.0], [0.0, 4.0]]),
+        line(ShapeKind::Path, vec![[-4.0, 0.0], [at, 0.0]]),
+        circle(ShapeKind::Touch, [at, 0.0], POINT / 4.0),
+        line(ShapeKind::Dimension, vec![[0.0, 3.0], [at, 3.0]]).text("v·t"),
+    ];
+    plane(shapes, Typed::new(), Message::new("concept-told-travel").number("path", rounded(travel)))
+}
+
+/// Three parameters of a call on a metric control with G70: the drawing is in inch, the rest in mm (B:1787-1795).
+fn of_units(inches: f64) -> ConceptPicture {
+    let length = inches * INCH;
+    let bars = [(names::SETVAL, length), (names::TSA, 1.0), (names::FA, 1.0)];
+    let mut shapes = Vec::new();
+    for (row, (name, length)) in bars.into_iter().enumerate() {
+        let at = -BAR / 2.0 * row as f64;
+        shapes.push(rectangle(ShapeKind::Tolerance, [length / 2.0, at], [length, BAR / 6.0]).of(name));
+        shapes.push(dimension(name, [0.0, at], [length, at]));
+    }
+    shapes.push(line(ShapeKind::Axis, vec![[0.0, BAR / 3.0], [0.0, -4.0 * BAR / 3.0]]));
+    let values = [(names::SETVAL, inches), (names::TSA, 1.0), (names::FA, 1.0)];
+    let values = values.into_iter().map(|(name, value)| value_of(name, rounded(value))).collect();
+    let told = Message::new("concept-told-units").number("inches", rounded(inches)).number("length", rounded(length));
+    plane(shapes, values, told)
 }
 
 /// To a ten thousandth.
