@@ -8,10 +8,10 @@ use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 
 /// Code that names data without reading them for the simulation: their tables, the check of a machine, what writes its
-/// definition files and the programs that test a probe, and tests.
-const OTHER: [&str; 8] = [
+/// definition files and the programs that test a probe, what tells how a call differs from JOG, and tests.
+const OTHER: [&str; 9] = [
     "control/gud", "machine_data/table.rs", "control/needs.rs", "control/idle.rs", "control/versions.rs",
-    "app/definitions.rs", "app/machine_check", "app/repeat.rs",
+    "app/definitions.rs", "app/machine_check", "app/repeat.rs", "jog/counterpart/data.rs",
 ];
 
 fn entry_name(path: &Path) -> String {

@@ -51,7 +51,7 @@ export function show(node: Element, visible: boolean): void {
   setAttribute(node, "hidden", !visible);
 }
 
-/** A button that is off gives the focus to another element: a reader of the keyboard is not sent to the page's start. */
+/** A button that is off gives the focus to another element: the keyboard does not begin again at the page's start. */
 export function setOff(button: HTMLButtonElement, off: boolean, instead: HTMLElement): void {
   const held = off && button.matches(":focus");
   button.disabled = off;

@@ -65,8 +65,8 @@ impl Tally {
         self.add(told.counts);
     }
 
-    /// As [`Tally::suite`], of files of tests. The few that fail run once more, with nothing beside them: a browser that
-    /// shares its cores may answer later than a test waits. What then passes is counted, and said to be unsteady.
+    /// As [`Tally::suite`], of files of tests. The few that fail run once more, with nothing beside them: a browser
+    /// that shares its cores may answer later than a test waits. What then passes is counted, and said to be unsteady.
     pub fn files(&mut self, name: &str, files: &[PathBuf], command: impl Fn(&[PathBuf]) -> Command) {
         let first = self.told(name, &mut command(files));
         let again: Vec<PathBuf> = first.failed.into_iter().collect();

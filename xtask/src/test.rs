@@ -181,8 +181,8 @@ fn in_the_page(tally: &mut Tally, built: bool) -> Result<()> {
 }
 
 /// How many browsers run beside each other: a page takes a bit more than one core while it starts, then less. With more
-/// of them than two the software that draws for them makes all of them wait. A few files run one after another: they run
-/// once more, to see whether they fail with nothing beside them.
+/// of them than two the software that draws for them makes all of them wait. A few files run one after another: they
+/// run once more, to see whether they fail with nothing beside them.
 fn at_once(files: usize) -> usize {
     let most = if files > 3 { 2 } else { 1 };
     std::thread::available_parallelism().map_or(1, |cores| cores.get().clamp(1, most))

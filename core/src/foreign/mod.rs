@@ -237,8 +237,8 @@ impl ForeignValue {
         self.text.trim().parse().ok().filter(|value: &f64| value.is_finite())
     }
 
-    /// Whether it is neither a number nor what the control has in its place: another parameter (`Q1`, `-QL5`), a word of
-    /// its own (`PREDEF`, `MAX`, `AUTO`).
+    /// Whether it is neither a number nor what the control has in its place: another parameter (`Q1`, `-QL5`), a word
+    /// of its own (`PREDEF`, `MAX`, `AUTO`).
     pub fn is_nothing(&self) -> bool {
         let text = self.text.trim().trim_start_matches(['+', '-']).to_ascii_uppercase();
         let parameter = text.strip_prefix('Q').is_some_and(|rest| {

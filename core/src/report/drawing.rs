@@ -252,9 +252,8 @@ fn style() -> String {
         wanted.map(|one| one.split_whitespace().collect::<Vec<_>>().join(" ") + ";").collect::<String>()
     };
     let (day, night) = (of(":root {"), of(":root[data-theme=\"dark\"] {"));
-    format!(
-        ":root {{{day}}}\n@media (prefers-color-scheme: dark) {{:root {{{night}}}}}\n.well {{fill: var(--well);}}\n{rules}"
-    )
+    let dark = format!("@media (prefers-color-scheme: dark) {{:root {{{night}}}}}");
+    format!(":root {{{day}}}\n{dark}\n.well {{fill: var(--well);}}\n{rules}")
 }
 
 fn drawn(concept: &ConceptView, style: &str) -> Option<String> {

@@ -83,7 +83,8 @@ fn a_block_search_skips_up_to_its_line() {
     assert_eq!((found, keys), ([0.0, 4.0, 0.0], [skipped, vec!["run-search-missed".to_owned()]].concat()));
 }
 
-// oracle: hand: where the searched blocks end is told at the block at which the search ends, in the program's units, once
+// oracle: hand: where the searched blocks end is told at the block at which the search ends, in the program's units,
+// once
 #[test]
 fn where_a_run_goes_on_after_a_search_is_told() {
     let told = |text: &str, target| {

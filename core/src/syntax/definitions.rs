@@ -334,7 +334,8 @@ mod tests {
         assert_eq!(keys("%_N_A_MPF\nDEF REAL NO_TYPE\nM30"), [""; 0]);
     }
 
-    // oracle: hand: a list of one value more than elements, a count beyond them, several in a line; what fits is not told
+    // oracle: hand: a list of one value more than elements, a count beyond them, several in a line; what fits is not
+    // told
     #[test]
     fn values_without_an_element_are_told() {
         for (text, wanted) in [

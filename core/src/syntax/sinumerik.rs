@@ -280,7 +280,8 @@ fn keyword_word(reader: &mut Reader, start: usize, name: Span, kind: Keyword) ->
     reader.word(start, WordKind::Keyword { name, value })
 }
 
-/// Where a jump or a repetition leads: what gives a label or a number, or the number of a main block as that is written,
+/// Where a jump or a repetition leads: what gives a label or a number, or the number of a main block as that is
+/// written,
 /// `:20`.
 fn target(reader: &mut Reader) -> Parsed<ExprId> {
     reader.blanks();

@@ -121,7 +121,8 @@ export function createScenarios(
       pressed = event.currentTarget as HTMLElement;
       run();
     };
-    return html`<button type="button" ?disabled=${off} @click=${press}>${iconPart(icon)}<span>${t(key)}</span></button>`;
+    const shown = html`${iconPart(icon)}<span>${t(key)}</span>`;
+    return html`<button type="button" ?disabled=${off} @click=${press}>${shown}</button>`;
   };
   function draw(): void {
     const held = document.activeElement;

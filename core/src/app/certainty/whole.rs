@@ -223,8 +223,8 @@ mod tests {
         assert_eq!((proof(0), proof(1)), (Some(Proof::Good), Some(Proof::Undecided)));
     }
 
-    // oracle: hand (a trigger value of one touch: u = σ; of four touches the mean: σ/2; the calibration before is no part
-    // of it): U = 2σ, σ
+    // oracle: hand (a trigger value of one touch: u = σ; of four touches the mean: σ/2; the calibration before is no
+    // part of it): U = 2σ, σ
     #[test]
     fn a_calibration_is_as_certain_as_its_own_touches() {
         for (count, expanded) in [(1, 0.004), (4, 0.002)] {

@@ -559,7 +559,8 @@ mod tests {
         assert_eq!((read.number("_DIGIT", 0), read.number("_CBIT[1]", 0)), (Some(3.0), Some(1.0)));
     }
 
-    // oracle: hand: lists of one value more than elements, from the first one and from a later one; what fits is not told
+    // oracle: hand: lists of one value more than elements, from the first one and from a later one; what fits is not
+    // told
     #[test]
     fn values_without_an_element_are_told_with_their_line() {
         let read = read(

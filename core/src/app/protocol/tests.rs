@@ -205,7 +205,8 @@ fn lines_of_calls() -> [usize; 3] {
     [first, first + 1, first + 2]
 }
 
-/// What a table comes to: the actual value of each call, none where it has none, and the lines that do not fit, with why.
+/// What a table comes to: the actual value of each call, none where it has none, and the lines that do not fit, with
+/// why.
 /// `A`, `B` and `C` stand for the lines of the calls.
 fn come_to(table: &str) -> (Vec<Option<f64>>, Vec<(u32, String)>) {
     let [a, b, c] = lines_of_calls().map(|line| line.to_string());

@@ -28,7 +28,8 @@ impl Sim {
         probe || if self.in_jog { stands() } else { self.measuring.is_some() }
     }
 
-    /// Whether a mask of JOG measures the tool in the spindle, or with it the tool probe: then it is none (B:3938-3945).
+    /// Whether a mask of JOG measures the tool in the spindle, or with it the tool probe: then it is none
+    /// (B:3938-3945).
     fn measures_tool(&self) -> bool {
         self.in_cycle && self.measuring.is_none()
     }
