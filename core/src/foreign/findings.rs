@@ -5,6 +5,7 @@ use super::{Foreign, ForeignCall, ForeignCycle, ForeignValue, Page, Parameter, V
 use crate::diagnostic::{Diagnostic, Edit, Severity};
 use crate::message::Message;
 use crate::own;
+use crate::range::Range;
 
 /// Most calls of a program that are told.
 const MOST: usize = 1000;
@@ -114,7 +115,8 @@ fn outside(parameter: &Parameter, one: &ForeignValue) -> Diagnostic {
     let within = one.number().is_some_and(|value| parameter.range.contains(value));
     let sentence = if within { own::FOREIGN_NO_SUCH } else { own::FOREIGN_RANGE };
     let found = sentence.finding().text("name", parameter.name).text("value", one.text.as_str());
-    found.number("min", parameter.range.min).number("max", parameter.range.max).on(one.span)
+    let Range { min, max, .. } = parameter.range;
+    found.number("min", min).number("max", max).hint_number("min", min).hint_number("max", max).on(one.span)
 }
 
 /// Limits of one size that have changed places.

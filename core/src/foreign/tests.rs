@@ -88,6 +88,10 @@ fn a_value_that_says_nothing_is_told() {
         let text = format!("0 BEGIN PGM A MM\n1 TCH PROBE 427 Q263=+1 Q264=+2 {name}={value}\n");
         let found = of_program(text.as_bytes()).unwrap();
         let of_value = ["foreign-value", "foreign-no-such", "foreign-range"];
+        let words = crate::words::Words::english();
+        for said in found.iter().flat_map(|one| std::iter::once(&one.message).chain(&one.hint)) {
+            assert!(!words.text(said).contains("{$"), "a word is missing: {}", words.text(said));
+        }
         found.into_iter().map(|one| one.message.key).filter(|key| of_value.contains(&&**key)).collect::<Vec<_>>()
     };
     for (name, value) in [("Q261", ""), ("Q261", "abc"), ("Q261", "\"T\"")] {

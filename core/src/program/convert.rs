@@ -268,7 +268,7 @@ fn read_still(site: &CallSite, written: &Written, stays: &BTreeMap<Name, u32>, s
 fn unsaid(site: &CallSite) -> Option<Diagnostic> {
     let variant = site.cycle.variant_param().filter(|_| site.list.is_none())?;
     let said = site.values.get(variant.as_str()).is_some_and(|text| !text.trim().is_empty());
-    (!said).then(|| own::CONVERT_NO_VARIANT.finding().text("name", variant).at(variant))
+    (!said).then(|| own::CONVERT_NO_VARIANT.finding().text("name", variant).hint_text("name", variant).at(variant))
 }
 
 /// The values that a list has and that no assignment gave: on the control an earlier program's counted. In a program

@@ -11,6 +11,7 @@ use probewright_core::entry::{Arg, Style, Typed};
 use probewright_core::program::change::apply;
 use probewright_core::program::convert::convert;
 use probewright_core::syntax::read;
+use probewright_core::words::Words;
 use proptest::prelude::*;
 use proptest::test_runner::TestCaseResult;
 use std::collections::BTreeMap;
@@ -22,6 +23,10 @@ const LIST: &str = "CYCLE977(101,1,,1,50,,,10,5,,,,,,1)";
 fn told(text: &str, style: Style) -> (String, Vec<Diagnostic>) {
     let program = read(Dialect::Sinumerik, text.as_bytes());
     let done = convert(&program, 0, style, &delivery(Dialect::Sinumerik));
+    let words = Words::english();
+    for said in done.findings.iter().flat_map(|one| std::iter::once(&one.message).chain(&one.hint)) {
+        assert!(!words.text(said).contains("{$"), "a word is missing: {}", words.text(said));
+    }
     (String::from_utf8(apply(text.as_bytes(), &done.edits)).unwrap(), done.findings)
 }
 
