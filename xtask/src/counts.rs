@@ -9,7 +9,7 @@ use std::path::PathBuf;
 use std::process::{Command, Stdio};
 
 /// So many files of tests may fail and be run once more: with more of them it is no matter of a loaded machine.
-const AGAIN: usize = 3;
+pub const AGAIN: usize = 3;
 
 /// Tests and checks so far.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

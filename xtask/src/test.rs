@@ -1,6 +1,6 @@
 //! `cargo xtask test`: every check and every test, counted.
 
-use crate::counts::Tally;
+use crate::counts::{AGAIN, Tally};
 use crate::tools::{WASM, cargo, command, component, root, run, wasm_target};
 use crate::wasm::{Make, target};
 use crate::{browser, dist, editor, page, serve};
@@ -184,7 +184,7 @@ fn in_the_page(tally: &mut Tally, built: bool) -> Result<()> {
 /// of them than two the software that draws for them makes all of them wait. A few files run one after another: they
 /// run once more, to see whether they fail with nothing beside them.
 fn at_once(files: usize) -> usize {
-    let most = if files > 3 { 2 } else { 1 };
+    let most = if files > AGAIN { 2 } else { 1 };
     std::thread::available_parallelism().map_or(1, |cores| cores.get().clamp(1, most))
 }
 

@@ -26,14 +26,14 @@ pub fn measures(cycle: &Cycle) -> bool {
     cycle.purpose.probe.measures() && !cycle.results.is_empty()
 }
 
-impl Called {
-    /// Keeps what a result screen shows now: later calls write other values.
-    pub fn show(&mut self, control: &Control) {
-        if self.shown.is_empty() {
-            self.shown = self.inputs.cycle.results.iter().map(|field| control.number(field.name)).collect();
-        }
+/// Keeps of the last call what a result screen shows now: later calls write other values.
+pub fn show(called: &mut [Called], control: &Control) {
+    if let Some(last) = called.last_mut().filter(|last| last.shown.is_empty()) {
+        last.shown = last.inputs.cycle.results.iter().map(|field| control.number(field.name)).collect();
     }
+}
 
+impl Called {
     /// What happened in it, and whether it came to its end.
     pub fn entries(&self, outcome: &Outcome) -> (Vec<Entry>, bool) {
         let mut own = Vec::new();

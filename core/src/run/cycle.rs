@@ -105,7 +105,7 @@ pub fn carry_out(run: &mut Interpreter, cycle: &'static Cycle, checked: Checked,
         let from = run.sim.trace.entries.len();
         call::perform(&mut run.sim, inputs).map_err(Halt::at(span))?;
         if upkeep::shows(&run.sim.control, cycle) {
-            run.called.last_mut().into_iter().for_each(|last| last.show(&run.sim.control));
+            called::show(&mut run.called, &run.sim.control);
         }
         logged::called(run, inputs, span, from, logging);
         return around(run, &BEHIND, cycle, span);

@@ -4,6 +4,7 @@ use super::{
     Address, Compensation, Coordinate, FeedType, Halt, Interpreter, Measure, Motion, Path, Suppress, addresses,
     arcs::Arc, contour, mode, polar, rounded, rounded::Rounded,
 };
+use crate::control::units::INCH;
 use crate::control::{AXES, Transverse, Units};
 use crate::diagnostic::Severity;
 use crate::geometry::{Around, Degrees, Dir, Mcs, Wcs, arc};
@@ -200,7 +201,7 @@ fn turns(run: &Interpreter, distance: f64) -> f64 {
     let a_minute = run.modal.speed.abs()
         * match run.sim.control.active_units {
             Units::Metric => 1000.0,
-            Units::Inch => 12.0 * 25.4,
+            Units::Inch => 12.0 * INCH,
         };
     let turns = a_minute / (TAU * distance);
     match run.modal.speed_limit {

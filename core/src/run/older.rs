@@ -1,6 +1,6 @@
 //! Subprograms that programs of older measuring cycles call, as they were: the result screen, the dialogue.
 
-use super::Interpreter;
+use super::{Interpreter, called};
 use crate::check::upkeep;
 use crate::diagnostic::{Severity, Span};
 use crate::problem::Problem;
@@ -20,7 +20,7 @@ pub fn called(run: &mut Interpreter, name: &str, place: Span) -> bool {
         }
         SCREEN => {
             upkeep::show(&mut run.sim);
-            run.called.last_mut().into_iter().for_each(|last| last.show(&run.sim.control));
+            called::show(&mut run.called, &run.sim.control);
         }
         DIALOGUE => {
             run.keep(Problem::new("run-dialogue", place, name).diagnostic(Severity::Note));

@@ -4,6 +4,7 @@
 use super::{Call, Datum, Halt, Interpreter, Motion, Next, Path, action, contour, motion};
 use super::{FeedType, path::Coordinate};
 use crate::control::Transverse;
+use crate::control::units::INCH;
 use crate::diagnostic::Span;
 use crate::problem::Problem;
 use crate::program::standard::{Standard, Way, Work, driven};
@@ -246,8 +247,8 @@ fn lead(values: &Values) -> f64 {
     match values.number("_PTAB") {
         _ if written == 0.0 => LEADS.iter().find(|(known, _)| *known == size).map_or(0.0, |(_, lead)| *lead),
         1.0 => written,
-        2.0 => 25.4 / written,
-        3.0 => 25.4 * written,
+        2.0 => INCH / written,
+        3.0 => INCH * written,
         _ => written * values.factor,
     }
 }

@@ -89,37 +89,34 @@ pub fn whole_certainty(
     let causes = draws.causes();
     let nothing = nothing(&outcome, &known, &causes);
     let runs = if nothing.is_some() { 0 } else { runs.unwrap_or(RUNS).clamp(1, MOST) };
-    let mut sets: Vec<(Vec<Cause>, u32)> = vec![(causes.clone(), runs)];
     // what a calibration finds does not depend on the one before it
-    let anew: Vec<Cause> = causes.iter().copied().filter(|cause| *cause != Cause::Calibration).collect();
-    let calibrates = outcome.called.iter().any(|called| !Cause::Calibration.concerns(&called.inputs, setup));
-    if causes.len() > 1 {
-        sets.extend(causes.iter().map(|cause| (vec![*cause], alone(runs))));
-        sets.extend((calibrates && anew.len() < causes.len()).then_some((anew, runs)));
-    }
-    let all: u32 = sets.iter().map(|(_, runs)| runs).sum();
+    let is_anew = |inputs: &Inputs| causes.contains(&Cause::Calibration) && !Cause::Calibration.concerns(inputs, setup);
+    let anew = outcome.called.iter().any(|called| is_anew(&called.inputs));
+    let each = if causes.len() > 1 { &causes[..] } else { &[] };
+    let sum = runs * (1 + u32::from(anew)) + alone(runs) * each.len() as u32;
     let mut done = 0;
-    let mut measure = |(causes, runs): &(Vec<Cause>, u32)| {
+    let mut measure = |causes: &[Cause], runs: u32| {
         let mut measured = Measured::of(&known);
-        for run in 0..*runs {
+        for run in 0..runs {
             measured.add(setup, &once(&draws.drawn(causes, run)), draws.growth(causes, run));
             done += 1;
-            told(f64::from(done) / f64::from(all.max(1)));
+            told(f64::from(done) / f64::from(sum.max(1)));
         }
         measured
     };
-    let mut spreads: Vec<Measured> = sets.iter().map(&mut measure).collect();
-    let anew = if sets.len() > causes.len() + 1 { spreads.pop() } else { None };
-    let all = spreads.remove(0);
-    let parts: Vec<(Cause, &Measured)> = match &spreads[..] {
+    let all = measure(&causes, runs);
+    let each: Vec<Measured> = each.iter().map(|cause| measure(&[*cause], alone(runs))).collect();
+    let others: Vec<Cause> = causes.iter().copied().filter(|cause| *cause != Cause::Calibration).collect();
+    let anew = anew.then(|| measure(&others, runs));
+    let parts: Vec<(Cause, &Measured)> = match &each[..] {
         [] => causes.iter().map(|cause| (*cause, &all)).collect(),
         each => causes.iter().copied().zip(each).collect(),
     };
     let calls = known.iter().enumerate().map(|(at, one)| {
         let inputs = &outcome.called[at].inputs;
         let own: Vec<_> = parts.iter().copied().filter(|(cause, _)| cause.concerns(inputs, setup)).collect();
-        let anew = anew.as_ref().filter(|_| !Cause::Calibration.concerns(inputs, setup));
-        CallCertainty { call: one.call, figures: judged(inputs, at, one, anew.unwrap_or(&all), &own) }
+        let all = anew.as_ref().filter(|_| is_anew(inputs)).unwrap_or(&all);
+        CallCertainty { call: one.call, figures: judged(inputs, at, one, all, &own) }
     });
     let stopped = if runs == 0 { 0.0 } else { 1.0 - f64::from(all.finished) / f64::from(runs) };
     WholeCertainty { runs, nothing, stopped, calls: calls.collect() }

@@ -3,6 +3,7 @@
 
 use super::{ConceptExample, ConceptPicture, dragged};
 use crate::control::braking::Braking;
+use crate::control::units::INCH;
 use crate::control::{AXES, Plane};
 use crate::entry::{Typed, names};
 use crate::evaluate::mean;
@@ -39,8 +40,6 @@ const TOUCHES: [f64; 9] = [1.2, -0.7, 0.6, -1.5, 0.2, 1.8, -0.4, -1.1, 0.8];
 const SCATTER: f64 = 1.1;
 /// What the control repeats when it measures on the fly, mm (B:16760).
 const REPEATS: f64 = 0.001;
-/// mm of an inch.
-const INCH: f64 = 25.4;
 /// Parts of the paper: radius of a point, and paper for a mm where hundredths matter.
 const POINT: f64 = 1.4;
 const FINE: f64 = 1000.0;

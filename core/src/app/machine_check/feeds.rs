@@ -4,6 +4,7 @@ use super::fault::{Files, MachineFault, identified};
 use super::read::{Exported, Given, shown};
 use crate::control::braking::{self, Braking};
 use crate::control::needs::Use;
+use crate::control::units::INCH;
 use crate::control::{BASIC_SYSTEM, Value, arrays, gud};
 use crate::diagnostic::Severity;
 use crate::message::Message;
@@ -103,7 +104,7 @@ pub fn faults(given: &Exported, files: &Files, without: &[Use], deflection: f64)
             }
             // the data of JOG are metric in every system (B:14250)
             let inch = !of_jog && given.number(BASIC_SYSTEM, channel) == Some(0.0);
-            let (unit, step) = if inch { (25.4, 10.0) } else { (1.0, 1.0) };
+            let (unit, step) = if inch { (INCH, 10.0) } else { (1.0, 1.0) };
             let path = braking.parts(feed * unit).sum();
             if path.is_nan() || path <= deflection {
                 continue;

@@ -8,6 +8,7 @@ use crate::catalogue::newer::arguments::{Argument, Evidence};
 use crate::catalogue::newer::{self, CYCLE150_SHORT, LISTS};
 use crate::check::newer::{DIRECTION, MINUS, PROBES, at_argument, is_newer_zero, is_nothing, path, probe_number};
 use crate::check::{Parsed, parse};
+use crate::control::units::INCH;
 use crate::diagnostic::{Code, Diagnostic, Edit, Severity, Span};
 use crate::entry::{Inputs, ProbeUse, names};
 use crate::message::Message;
@@ -17,8 +18,6 @@ use crate::syntax::{Program, SyntaxError};
 
 /// Mode of a call that says where the centre is.
 const BESIDE: f64 = 10.0;
-/// mm of an inch.
-const INCH: f64 = 25.4;
 
 /// What is wrong with a call in such a list, in place of what follows from it; none: what was found is kept.
 pub fn of_call(program: &Program, site: &CallSite) -> Option<Vec<Diagnostic>> {
