@@ -96,6 +96,7 @@ user-program-variable = { $name } ist kein Variablenname.
 user-program-own = Keine Siemens-Datei: Sie ersetzt die ausgelieferte. Das Handbuch druckt die Variable ihres CASE nicht ab; sie der ausgelieferten Datei entnehmen.
 user-program-insert = Zum Einfügen: jede Gruppe von Zeilen zwischen die Marke des Zyklus und ihr M17.
 user-program-changes = { $name } ist ein Parameter des Messzyklus: Ein in CYCLE198 geschriebener Wert lässt den Zyklus etwas anderes messen.
+user-program-unread = Nicht lesbar: { $line } Zeilen vor dem Laden der Datei prüfen.
 user-program-jump = In diesen Zeilen fehlt die Marke { $name }: Der Sprung dorthin endet mit einem Alarm, wenn sie auch sonst in der Datei fehlt.
 user-program-before-line = vor der Messung in { $cycle }
 user-program-behind-line = nach der Messung in { $cycle }

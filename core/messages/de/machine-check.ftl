@@ -6,6 +6,7 @@ machine-check-unread = Der Wert ist nicht lesbar: { $value } So schreiben: 7, (1
 machine-check-unread-size = Größe oder Index des Feldes ist nicht lesbar: { $value } Ganze Zahlen schreiben: [2,10].
 machine-check-many = Die Liste hat { $value } Werte für { $before } Elemente: Die letzten entfallen. Kürzen oder das Feld größer definieren.
 machine-check-unlike = Die Nummer { $value } gehört zu einem anderen Datum: Die Steuerung liest den Bezeichner.
+machine-check-renamed = Nach der Nummer gelesen: Im Handbuch heißt das Datum { $before }. Eine Steuerung mit diesem Bezeichner kennt { $value } nicht.
 machine-check-positive = { $value } ist nicht möglich: Der Wert muss über 0 liegen. Damit wird kein Bremsweg berechnet.
 machine-check-no-axis = Ohne { $data } wird kein Vorschub mit der zulässigen Auslenkung verglichen.
 machine-check-axis-metric = Diese Steuerung ist in Zoll; { "MD32300" } zählt hier in m/s², { "MD32200" } in (m/min)/mm. Eine Verzögerung in inch/s² mit 0,0254 multiplizieren.

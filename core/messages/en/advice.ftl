@@ -96,6 +96,7 @@ user-program-variable = { $name } is no name of a variable.
 user-program-own = Not Siemens’ file: it replaces the original. The manual does not print the variable of its CASE: take it from the original file.
 user-program-insert = To insert: each group of lines between the label of the cycle and its M17.
 user-program-changes = { $name } is a parameter of the measuring cycle: a value written in CYCLE198 makes the cycle measure something else.
+user-program-unread = These lines cannot be read: { $line } Check them before you load the file.
 user-program-jump = These lines have no label { $name }: the jump to it ends in an alarm unless the rest of the file has that label.
 user-program-before-line = before measurement in { $cycle }
 user-program-behind-line = after measurement in { $cycle }

@@ -6,6 +6,7 @@ machine-check-unread = The value cannot be read: { $value } Write it like 7, (1,
 machine-check-unread-size = The size or index of the array cannot be read: { $value } Write whole numbers, like [2,10].
 machine-check-many = The list has { $value } values for { $before } elements: the last ones are dropped. Shorten it, or define the array larger.
 machine-check-unlike = The number { $value } is that of another datum: the control reads the identifier.
+machine-check-renamed = Read by its number: the manual calls it { $before }. A control with that identifier does not know { $value }.
 machine-check-positive = { $value } is not possible: the value must be above 0. No braking path is calculated with it.
 machine-check-no-axis = Without { $data } no feed is held against the permitted deflection.
 machine-check-axis-metric = This control is in inches; { "MD32300" } is taken in m/s², { "MD32200" } in (m/min)/mm. Multiply a deceleration in inch/s² by 0.0254.

@@ -96,6 +96,7 @@ user-program-variable = { $name } 不是变量名。
 user-program-own = 不是西门子的文件：它替换交货文件。手册没有给出其 CASE 的变量，请从交货文件中获取。
 user-program-insert = 用于插入：每组行放在该循环的标签与其 M17 之间。
 user-program-changes = { $name } 是测量循环的参数：在 CYCLE198 中写入的值会使循环测量别的内容。
+user-program-unread = 无法读取：{ $line } 装入文件前请检查这些行。
 user-program-jump = 这些行中没有标签 { $name }：如果文件其余部分也没有此标签，跳转会引发报警。
 user-program-before-line = { $cycle } 中测量之前
 user-program-behind-line = { $cycle } 中测量之后

@@ -6,6 +6,7 @@ machine-check-unread = 无法读取数值：{ $value } 请写成 7、(1,0,2)、S
 machine-check-unread-size = 无法读取数组的大小或下标：{ $value } 请写整数，例如 [2,10]。
 machine-check-many = 列表有 { $value } 个值，而元素只有 { $before } 个：多余的值被丢弃。请缩短列表或加大数组。
 machine-check-unlike = 编号 { $value } 属于另一个数据：控制系统读取标识符。
+machine-check-renamed = 按编号读取：手册中的标识符是 { $before }。使用该标识符的控制系统不认识 { $value }。
 machine-check-positive = { $value } 无效：该值必须大于 0，不用它计算制动距离。
 machine-check-no-axis = 缺少 { $data }，不将进给率与允许偏转量比较。
 machine-check-axis-metric = 此控制系统为英制；{ "MD32300" } 按 m/s² 计，{ "MD32200" } 按 (m/min)/mm 计。以 inch/s² 给出的减速度请乘以 0.0254。

@@ -4,7 +4,7 @@ use super::{Error, cycle};
 use crate::dialect::Dialect;
 use crate::entry::{Cycle, Typed};
 use crate::message::Message;
-use crate::program::user_programs::skeleton::{Branch, END, calls_again, changed, leaves, lines, write};
+use crate::program::user_programs::skeleton::{Branch, END, calls_again, changed, leaves, lines, unread, write};
 use crate::program::user_programs::{BEFORE, BEHIND, callers, label};
 use crate::refused::Path;
 use serde::{Deserialize, Serialize};
@@ -98,12 +98,15 @@ pub fn user_programs(asked: UserProgramsRequest) -> Result<UserProgramsView, Err
     })
 }
 
-/// What lines do that they should not: write parameters of their cycle, jump to where no label is.
+/// What lines do that they should not: cannot be read, write parameters of their cycle, jump to where no label is.
 fn doubts(branch: &Branch, labels: &[String]) -> Vec<Message> {
     let changed = changed(branch.cycle, &branch.before).into_iter();
     let changes = changed.map(|name| Message::new("user-program-changes").text("name", name));
-    let left = [&branch.before, &branch.behind].into_iter().flat_map(|lines| leaves(lines, labels));
-    changes.chain(left.map(|name| Message::new("user-program-jump").text("name", name))).collect()
+    let both = [&branch.before, &branch.behind];
+    let unread = both.into_iter().flat_map(|lines| unread(lines));
+    let unread = unread.map(|line| Message::new("user-program-unread").text("line", line));
+    let left = both.into_iter().flat_map(|lines| leaves(lines, labels));
+    unread.chain(changes).chain(left.map(|name| Message::new("user-program-jump").text("name", name))).collect()
 }
 
 /// Stands in the words of a comment for the name of the cycle.
@@ -172,6 +175,7 @@ mod tests {
         };
         assert_eq!(told("GOTOF ABC", None), ["user-program-insert", "user-program-jump"]);
         assert_eq!(told("GOTOF _MEND", Some("_OVI[2]")), ["user-program-own"]);
+        assert_eq!(told(")(", None), ["user-program-insert", "user-program-unread"]);
         assert_eq!(told("_MVAR=2", None), ["user-program-insert", "user-program-changes"]);
         assert_eq!(refused(asked("CYCLE116", "M27", None)), "user-program-cycle");
         assert_eq!(refused(asked("CYCLE5", "M27", None)), "document-cycle");

@@ -171,12 +171,13 @@ impl MachineFault {
     }
 }
 
-/// Lines that cannot be read, data with the number of another, and data that are given twice.
+/// Lines that cannot be read, data with the number of another or another identifier, and data that are given twice.
 pub fn odd(given: &Exported, files: &Files) -> Vec<MachineFault> {
     let fault = |severity, key: &'static str, odd: &Odd| fault_of(severity, key, odd, files);
     let unlike = given.unlike.iter().map(|odd| fault(Severity::Warning, "machine-check-unlike", odd));
+    let renamed = given.renamed.iter().map(|odd| fault(Severity::Note, "machine-check-renamed", odd));
     let twice = given.twice.iter().map(|odd| fault(Severity::Warning, "machine-check-twice", odd));
-    unread(given, files).into_iter().chain(unlike).chain(twice).collect()
+    unread(given, files).into_iter().chain(unlike).chain(renamed).chain(twice).collect()
 }
 
 /// Lines of which a value or a size cannot be read, or of which values have no element.

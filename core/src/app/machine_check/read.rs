@@ -80,6 +80,8 @@ pub struct Exported {
     pub beyond: Vec<Odd>,
     /// Data whose number in front is that of another datum.
     pub unlike: Vec<Odd>,
+    /// Data that were found by the number in front alone: the manual prints another identifier.
+    pub renamed: Vec<Odd>,
     /// Assignments of which no check knows the datum.
     pub others: usize,
 }
@@ -222,6 +224,10 @@ impl Line<'_> {
             self.to.unlike.push(Odd { name: datum.name.clone(), channel: *self.channel, place: self.place, texts });
             self.spelled = word.to_owned(); // the control reads the name
         } else if word.starts_with('$') {
+            if let Some(identifier) = other_identifier(&datum.name, word) {
+                let texts = [word.to_owned(), identifier.to_owned()];
+                self.to.renamed.push(Odd { name: datum.name.clone(), channel: *self.channel, place: self.place, texts });
+            }
             self.spelled = number.iter().map(String::as_str).chain([word]).collect::<Vec<_>>().join(" ");
         }
         let unnumbered = gud::find(word).is_some() && arrays::split(&datum.name).is_none();
@@ -383,6 +389,17 @@ fn is_of_another(name: &str, digits: &str) -> bool {
     of(digits).is_some_and(|datum| datum.number != arrays::stem(name) && name.starts_with("MD"))
 }
 
+/// The identifier of a machine datum in the manual, where a name with its area, `$MN_SOMETHING_ELSE`, is another.
+fn other_identifier(name: &str, word: &str) -> Option<&'static str> {
+    let datum = MACHINE_DATA.iter().find(|datum| datum.number == arrays::stem(name))?;
+    (!datum.identifier.is_empty() && plain(word) != datum.identifier).then_some(datum.identifier)
+}
+
+/// The identifier in a name with its area: `MM_NUM_GUD_MODULES` of `$MN_MM_NUM_GUD_MODULES`.
+fn plain(name: &str) -> &str {
+    name.strip_prefix('$').and_then(|name| name.split_once('_')).map_or(name, |(_, plain)| plain)
+}
+
 /// A value as it is shown.
 pub fn shown(value: &Value) -> String {
     match value {
@@ -433,7 +450,7 @@ pub fn of_channel(datum: &MachineDatum) -> bool {
 }
 
 fn machine_datum(name: &str, number: Option<&str>) -> Option<&'static MachineDatum> {
-    let plain = name.strip_prefix('$').and_then(|name| name.split_once('_')).map_or(name, |(_, plain)| plain);
+    let plain = plain(name);
     let digits = number.or_else(|| name.strip_prefix("MD").or_else(|| name.strip_prefix("SD"))).unwrap_or(name);
     let of_number = |datum: &&MachineDatum| datum.number.get(2..) == Some(digits);
     let of_name = |datum: &&MachineDatum| !datum.identifier.is_empty() && datum.identifier == plain;
@@ -490,6 +507,11 @@ mod tests {
         let unlike = |text: &str| read(text).unlike.into_iter().map(|odd| odd.name).collect::<Vec<_>>();
         assert_eq!(unlike("N18130 $MN_MM_NUM_GUD_NAMES_NCK=15"), ["MD18120"]);
         assert_eq!(unlike("N18120 $MN_MM_NUM_GUD_NAMES_NCK=15\nN10 $MN_MM_NUM_GUD_NAMES_NCK=15"), [""; 0]);
+        let renamed = |text: &str| read(text).renamed.into_iter().map(|odd| odd.texts[1].clone()).collect::<Vec<_>>();
+        assert_eq!(renamed("N18120 $MN_SOMETHING_ELSE=30"), ["MM_NUM_GUD_NAMES_NCK"]);
+        for text in ["N18120 $MN_MM_NUM_GUD_NAMES_NCK=30", "MD18120=30", "$MM_NUM_GUD_MODULES=7"] {
+            assert_eq!(renamed(text), [""; 0], "{text}");
+        }
         assert_eq!(read("N10000 $MN_AXCONF_MACHAX_NAME_TAB[0]=\"X1\"").others, 1);
     }
 

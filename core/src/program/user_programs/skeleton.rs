@@ -88,6 +88,14 @@ pub fn calls_again(lines: &[String]) -> Option<&'static str> {
     names.find(|name| program.words.iter().any(|word| program.is_call(word, &[name])))
 }
 
+/// The lines in which something cannot be read.
+pub fn unread(lines: &[String]) -> Vec<&str> {
+    let text = lines.join("\n");
+    let program = read(Dialect::Sinumerik, text.as_bytes());
+    let places: BTreeSet<u32> = program.errors.iter().map(|error| program.line_of(error.span.start)).collect();
+    places.into_iter().filter_map(|line| lines.get(line as usize).map(String::as_str)).collect()
+}
+
 /// Where lines jump to without having that label, nor one of these.
 pub fn leaves(lines: &[String], labels: &[String]) -> Vec<String> {
     let text = lines.join("\n");
@@ -195,6 +203,14 @@ mod tests {
         assert_eq!(calls_again(&lines("M27|CYCLE198").unwrap()), Some("CYCLE198"));
         assert_eq!(calls_again(&lines("M27|CYCLE199()").unwrap()), Some("CYCLE199"));
         assert_eq!(calls_again(&lines("M27|CYCLE116|MY_COVER(1)|L10").unwrap()), None);
+    }
+
+    #[test]
+    fn lines_that_cannot_be_read_are_found() {
+        // oracle: hand
+        let found = |text: &str| unread(&lines(text).unwrap()).into_iter().map(str::to_owned).collect::<Vec<_>>();
+        assert_eq!(found("M27|)(|R1=(2"), [")(", "R1=(2"]);
+        assert_eq!(found("IF R1==1|M27|ENDIF|G4 F0.5|MY_COVER(1,\"A\")"), [""; 0]);
     }
 
     #[test]
