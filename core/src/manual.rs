@@ -123,12 +123,12 @@ mod tests {
     // oracle: manual (the headings at B:5748, B:6374 and A:2591)
     #[test]
     fn a_line_is_looked_up_in_its_chapter() {
-        assert_eq!(Cited("B:5773").to_string(), "Measuring Cycles 04/2006, 5.4.2");
+        assert_eq!(Cited("B:5773").to_string(), "Measuring Cycles 04/2006, 5.4.2.1");
         assert_eq!(
             Cited("B:2408-2469;A:2591").to_string(),
             "Measuring Cycles 04/2006, 3.1.2; Measuring Cycles 10/2004, 3.1.2"
         );
-        assert_eq!(Cited("B:5773;B:5780;B:6380-6390").to_string(), "Measuring Cycles 04/2006, 5.4.2, 5.5.2");
+        assert_eq!(Cited("B:5773;B:5780;B:6380-6390").to_string(), "Measuring Cycles 04/2006, 5.4.2.1, 5.5.2");
     }
 
     // oracle: the table is sorted, and no chapter comes back

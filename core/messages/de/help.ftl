@@ -39,11 +39,9 @@ help-no-spindle = Die Spindel lässt sich nicht positionieren: Alarm 61372.
 # Wo eine Maske auf der Steuerung ist.
 where-title = Wo ist das an meiner Steuerung?
 where-from = Diese Maske gibt es ab Messzyklen SW { $version }.
-where-editor = Programmeditor, Messzyklen ab SW 6.2: { $softkeys }.
-where-older = Programmeditor, Messzyklen bis SW 5.4: { $softkeys }. Die Unterstützung schreibt { $call }().
+where-editor = Programmeditor: { $softkeys } (Messzyklen ab SW 6.2).
+where-older = Programmeditor: { $softkeys } (Messzyklen bis SW 5.4). Die Unterstützung schreibt { $call }().
 where-older-call = Programmeditor, Messzyklen bis SW 5.4: Die Unterstützung schreibt { $call }(). Die Softkeys dazu druckt das Handbuch nicht ab.
-where-jog = In JOG: Werkstück messen > { $area } > { $mask }.
-where-jog-tool = In JOG: { $mask }.
 where-jog-newer = In JOG, Messzyklen ab SW 6.3: { $softkeys }.
 where-jog-older = In JOG, Messzyklen bis SW 6.2: { $softkeys }.
 where-jog-both = In JOG: { $softkeys }.

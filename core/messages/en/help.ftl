@@ -39,11 +39,9 @@ help-no-spindle = The spindle cannot be positioned: alarm 61372.
 # Where a form is on the control.
 where-title = Where is this on my control?
 where-from = This form is there from measuring cycles SW { $version }.
-where-editor = Program editor, measuring cycles from SW 6.2: { $softkeys }.
-where-older = Program editor, measuring cycles up to SW 5.4: { $softkeys }. The support writes { $call }().
+where-editor = Program editor: { $softkeys } (measuring cycles from SW 6.2).
+where-older = Program editor: { $softkeys } (measuring cycles up to SW 5.4). The support writes { $call }().
 where-older-call = Program editor, measuring cycles up to SW 5.4: the support writes { $call }(). The manual does not print its softkeys.
-where-jog = In JOG: Measure workpiece > { $area } > { $mask }.
-where-jog-tool = In JOG: { $mask }.
 where-jog-newer = In JOG, measuring cycles from SW 6.3: { $softkeys }.
 where-jog-older = In JOG, measuring cycles up to SW 6.2: { $softkeys }.
 where-jog-both = In JOG: { $softkeys }.

@@ -39,11 +39,9 @@ help-no-spindle = 主轴不能定位：报警 61372。
 # 表单在控制系统上的位置。
 where-title = 在控制系统上的什么位置？
 where-from = 该表单从测量循环 SW { $version } 起提供。
-where-editor = 程序编辑器，测量循环 SW 6.2 及以上：{ $softkeys }。
-where-older = 程序编辑器，测量循环 SW 5.4 及以下：{ $softkeys }。循环支持写入 { $call }()。
+where-editor = 程序编辑器：{ $softkeys }（测量循环 SW 6.2 及以上）。
+where-older = 程序编辑器：{ $softkeys }（测量循环 SW 5.4 及以下）。循环支持写入 { $call }()。
 where-older-call = 程序编辑器，测量循环 SW 5.4 及以下：循环支持写入 { $call }()。手册未给出相应软键。
-where-jog = 在 JOG 中：测量工件 > { $area } > { $mask }。
-where-jog-tool = 在 JOG 中：{ $mask }。
 where-jog-newer = 在 JOG 中，测量循环 SW 6.3 及以上：{ $softkeys }。
 where-jog-older = 在 JOG 中，测量循环 SW 6.2 及以下：{ $softkeys }。
 where-jog-both = 在 JOG 中：{ $softkeys }。

@@ -115,7 +115,7 @@ const LINES: &[HelpLine] = &[
     measures(CALIBRATE, "help-cycle972-measures-side", "B:8834-8850"),
     measures(MEASURE, "help-cycle972-measures-length", "B:8954-8968"),
     before(When::Always, "help-tool-not-turned", "A:15873;B:9819"),
-    order(When::Always, "help-cycle972-order-travel", "B:8870;B:9441"),
+    order(When::Always, "help-cycle972-order-travel", "B:8870;B:8923;B:9441"),
     order(CALIBRATE, "help-cycle972-order-nose", "B:8870"),
     order(MEASURE, "help-cycle972-order-tip", "B:9073"),
 ];

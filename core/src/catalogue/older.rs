@@ -1,5 +1,6 @@
-//! The parameterizing calls of controls up to SW 5.4, which stand behind `CYCLE_PARA(…)` (B:11640-12133). Where a list
-//! has no `_MVAR`, selections add up to the number of the variant.
+//! The parameterizing calls of controls up to SW 5.4, which stand behind `CYCLE_PARA(…)` (B:11640-12133). Their
+//! arguments have the names of the data that they fill (B:11728-11730). Where a list has no `_MVAR`, selections add up
+//! to the number of the variant.
 
 use super::common::args::*;
 use super::{cycle961, cycle971, cycle973, cycle976, cycle979};

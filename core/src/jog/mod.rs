@@ -1,6 +1,6 @@
 //! Measuring in JOG: the masks of the functions as data, the touches, what they come to, what is written, and the way
 //! of working as a table of states (chapter 4 of the manual, B:2570-4083). SINUMERIK milling machines only (B:2576,
-//! B:2608).
+//! B:2608), for setting up a workpiece on the table, often in more than one call (B:2709).
 
 pub mod activation;
 pub mod approach;
