@@ -107,13 +107,22 @@ fn served() -> Served {
 }
 
 /// What serves the chapter itself; else what serves the chapters below it, or in the later edition that on its subject.
-fn of<'a>(served: &'a Served, chapter: &Chapter) -> (Option<&'a BTreeSet<String>>, &'static str) {
-    let own = served.get(&(chapter.manual, chapter.number));
+fn of(served: &Served, chapter: &Chapter) -> (Option<BTreeSet<String>>, &'static str) {
+    let own = served.get(&(chapter.manual, chapter.number)).cloned();
     match own {
         Some(_) => (own, ""),
         None if below(chapter).next().is_some() => (None, "below"),
-        None => (served.get(&('B', chapter.later)).filter(|_| chapter.manual == 'A'), "later"),
+        None => (later(served, chapter), "later"),
     }
+}
+
+/// What serves the chapter of the later edition with the same subject, or the chapters below that.
+fn later(served: &Served, chapter: &Chapter) -> Option<BTreeSet<String>> {
+    let same = CHAPTERS.iter().find(|one| one.manual == 'B' && one.number == chapter.later && chapter.manual == 'A')?;
+    let all = std::iter::once(same).chain(below(same));
+    let places: BTreeSet<String> =
+        all.filter_map(|one| served.get(&(one.manual, one.number))).flatten().cloned().collect();
+    (!places.is_empty()).then_some(places)
 }
 
 fn below(chapter: &Chapter) -> impl Iterator<Item = &'static Chapter> {
@@ -131,7 +140,8 @@ fn page(served: &Served) -> String {
         text += &format!("\n## {title}\n\n| chapter | served by |\n| --- | --- |\n");
         for chapter in CHAPTERS.iter().filter(|chapter| chapter.manual == letter) {
             let (places, how) = of(served, chapter);
-            let named = places.map(|all| all.iter().filter(|place| !place.is_empty()).cloned().collect::<Vec<_>>());
+            let named =
+                places.as_ref().map(|all| all.iter().filter(|place| !place.is_empty()).cloned().collect::<Vec<_>>());
             let says = match (named, how) {
                 (Some(named), "later") => format!("as 04/2006, {}: {}", chapter.later, named.join(", ")),
                 (Some(named), _) => named.join(", "),
@@ -150,7 +160,7 @@ fn no_chapter_of_the_manuals_has_nothing() {
     let served = served();
     let empty = |chapter: &&Chapter| {
         let (places, how) = of(&served, chapter);
-        how != "below" && places.is_none_or(|all| all.iter().all(|place| place.is_empty() || place == "tests"))
+        how != "below" && places.as_ref().is_none_or(|all| all.iter().all(|place| place.is_empty() || place == "tests"))
     };
     let missing: Vec<String> =
         CHAPTERS.iter().filter(empty).map(|one| format!("{} {} {}", one.manual, one.number, one.title)).collect();

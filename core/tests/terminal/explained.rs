@@ -67,7 +67,7 @@ fn explain_knows_cycles_variants_data_and_alarms() {
         "CYCLE977 101: Hole: correct a zero offset\n",
         "\nStart position of the probe\n  ",
         "Inputs: _SETVAL, _KNUM.\n",
-        "(Measuring Cycles 04/2006, 5.4.2)\n",
+        "(Measuring Cycles 04/2006, 5.4.2.3)\n",
     ] {
         assert!(variant.contains(part), "{part}: {variant}");
     }
