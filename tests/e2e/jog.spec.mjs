@@ -122,6 +122,23 @@ describe("an edge", () => {
   });
 
   // oracle: hand
+  test("is practised further after a reload of the page", async () => {
+    const { context, page, problems } = await open(chrome.browser, { path: "#jog", serviceWorkers: "block" });
+    await page.locator("[data-mask=hole_1]").click();
+    await field(page, "zo").selectOption("G55");
+    await page.locator(".jog-surprise").click();
+    const hidden = page.locator(".jog-part p").first();
+    await page.locator(".jog-reveal").waitFor();
+    const told = await hidden.textContent();
+    await page.reload();
+    await page.locator(".jog-reveal").waitFor();
+    assert.equal(await hidden.textContent(), told);
+    await page.locator(".jog-title").getByText("1 hole").waitFor();
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
+  // oracle: hand
   test("is set by keyboard alone, on a part that chance has put", async () => {
     const { context, page, problems } = await open(chrome.browser, { path: "#jog", serviceWorkers: "block" });
     await page.locator("[data-mask=set_edge]").waitFor();

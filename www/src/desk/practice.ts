@@ -130,7 +130,9 @@ export function createPractice(store: Store, core: () => ProgramCore | null): Pr
   return {
     begin() {
       const { seen, setup } = store.state.jog;
-      if (!seen || setup !== (profile(store.state) ?? null)) carryOut({ piece: null });
+      if (!seen)
+        carryOut({}); // what is kept of the last visit
+      else if (setup !== (profile(store.state) ?? null)) carryOut({ piece: null });
     },
     press,
     jog(axis, by) {

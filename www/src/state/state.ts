@@ -251,6 +251,18 @@ export interface JogState {
   rapid: boolean;
 }
 
+const PIECE: Record<PracticePiece, true> = {
+  block: true,
+  pocket: true,
+  hole: true,
+  holes: true,
+  island: true,
+  spigot: true,
+  spigots: true,
+  probe: true,
+};
+export const PIECES = Object.keys(PIECE) as PracticePiece[];
+
 /** What of the page is shown where. */
 export interface PanelState {
   panel: Panel;

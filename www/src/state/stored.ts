@@ -6,7 +6,7 @@ import { ENCODINGS } from "../encoding";
 import { NO_ERRORS } from "../errors";
 import type { Plane, Setup, Style, Transverse, UnitFunction } from "../wire";
 import type { BesideFile, ProgramFile } from "./files";
-import { firstState, type Patch, PLANES, patched, SHEETS, type State, UNITS } from "./state";
+import { AS_SET_UP, firstState, type Patch, PIECES, PLANES, patched, SHEETS, type State, UNITS } from "./state";
 
 /** A kept field: where it stands, and what of a stored value has the right shape; undefined: nothing, it stays. */
 interface Field<G extends keyof State, F extends keyof State[G]> {
@@ -169,6 +169,15 @@ const FIELDS = {
   errorsShown: field("panels", "errors"),
   sizes: field("panels", "sizes", all(pixels)),
   sheet: field("panels", "sheet", value => SHEETS.find(one => one === value)),
+  practised: field("jog", "lines", value =>
+    Array.isArray(value) ? value.filter(one => typeof one === "string") : undefined,
+  ),
+  practiceSeed: field("jog", "seed", value =>
+    Number.isInteger(value) || value === null ? (value as number) : undefined,
+  ),
+  practicePart: field("jog", "part", value => numbers(value, AS_SET_UP)),
+  practicePiece: field("jog", "piece", value => PIECES.find(one => one === value)),
+  practiceShown: field("jog", "revealed"),
 };
 type Name = keyof typeof FIELDS;
 const NAMES = Object.keys(FIELDS) as Name[];
@@ -214,6 +223,17 @@ const IN_LINK = [
   "source",
 ] as const satisfies Name[];
 
+/** What is neither: when the work was changed and saved, and what is practised. */
+const PASSING = [
+  "changed",
+  "saved",
+  "practised",
+  "practiceSeed",
+  "practicePart",
+  "practicePiece",
+  "practiceShown",
+] as const satisfies Name[];
+
 /** Fields by their stored names. */
 export type Flat = { [N in Name]?: unknown };
 
@@ -232,7 +252,7 @@ export const kept = (state: State): Flat => flat(state, NAMES);
 export const preferences = (state: State): Flat =>
   flat(
     state,
-    NAMES.filter(name => name !== "changed" && name !== "saved" && !WORK.some(one => one === name)),
+    NAMES.filter(name => !WORK.some(one => one === name) && !PASSING.some(one => one === name)),
   );
 export const shared = (state: State): Flat => flat(state, IN_LINK);
 
