@@ -100,6 +100,27 @@ describe("an edge", () => {
     await context.close();
   });
 
+  // oracle: manual B:2602 (RESET cancels the measurement)
+  test("is not measured where RESET comes while the probe is seen to move", async () => {
+    const { context, page, problems } = await open(chrome.browser, { path: "#jog", serviceWorkers: "block" });
+    await page.locator("[data-mask=set_edge]").click();
+    await field(page, "zo").selectOption("G54");
+    await step(page, "10000").click();
+    for (let presses = 0; presses < 3; presses++) await axis(page, "Z-").click();
+    // both in the page: the motion is seen for a moment only
+    await start(page).evaluate(async node => {
+      node.click();
+      for (let frames = 0; frames < 3; frames++) await new Promise(requestAnimationFrame);
+      document.querySelector(".jog-reset").click();
+    });
+    await page.locator(".jog-ahead").getByText("touch at").waitFor(); // NC start would measure again
+    await counts(page.locator(".jog-written"), 0, "nothing is written");
+    await start(page).click();
+    await page.locator(".jog-written").waitFor();
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
   // oracle: hand
   test("is set by keyboard alone, on a part that chance has put", async () => {
     const { context, page, problems } = await open(chrome.browser, { path: "#jog", serviceWorkers: "block" });

@@ -51,6 +51,13 @@ export function show(node: Element, visible: boolean): void {
   setAttribute(node, "hidden", !visible);
 }
 
+/** What is hidden gives the focus to another element. */
+export function showElse(node: HTMLElement, visible: boolean, instead: HTMLElement): void {
+  const held = !visible && node.contains(document.activeElement);
+  show(node, visible);
+  if (held) instead.focus();
+}
+
 /** A button that is off gives the focus to another element: the keyboard does not begin again at the page's start. */
 export function setOff(button: HTMLButtonElement, off: boolean, instead: HTMLElement): void {
   const held = off && button.matches(":focus");

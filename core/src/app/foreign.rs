@@ -95,7 +95,7 @@ pub fn foreign(source: &[u8]) -> Option<ForeignView> {
 
 /// The control of which a text is a measuring log, by its beginning: no program, though names of cycles stand in it.
 pub fn log_of(source: &[u8]) -> Option<&'static str> {
-    let own = || log::is_log(&String::from_utf8_lossy(source)).then(|| Dialect::Sinumerik.name());
+    let own = || log::is_log(&foreign::beginning(source)).then(|| Dialect::Sinumerik.name());
     foreign::log_of(source).map(|control| control.name).or_else(own)
 }
 

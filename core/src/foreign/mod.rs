@@ -15,6 +15,7 @@ use crate::diagnostic::Span;
 use crate::entry::Task;
 use crate::message::Message;
 use crate::range::Range;
+use std::borrow::Cow;
 
 /// A control of another maker.
 pub struct Foreign {
@@ -264,8 +265,13 @@ const HEAD: usize = 4096;
 
 /// The control of which a text is a log, by its beginning.
 pub fn log_of(source: &[u8]) -> Option<&'static Foreign> {
-    let head = String::from_utf8_lossy(source.get(..HEAD).unwrap_or(source));
+    let head = beginning(source);
     CONTROLS.into_iter().find(|control| (control.is_log)(&head))
+}
+
+/// The beginning of a text.
+pub fn beginning(source: &[u8]) -> Cow<'_, str> {
+    String::from_utf8_lossy(source.get(..HEAD).unwrap_or(source))
 }
 
 /// Place of the first line of a program.

@@ -26,6 +26,7 @@ use crate::syntax::{BETWEEN, Program};
 use site::Found;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use subprograms::Subprograms;
+use uses::calls_cycle;
 
 /// A measuring call. Lines count from 0.
 pub struct CallSite {
@@ -185,6 +186,9 @@ pub fn calls_on(program: &Program, control: Control) -> Vec<CallSite> {
 
 /// Every measuring call, as [`calls_on`], telling from time to time which share of the program is looked through.
 pub fn calls_told(program: &Program, control: Control, told: &mut dyn FnMut(f64)) -> Vec<CallSite> {
+    if !program.grammar().by_address && !program.words.iter().any(|word| calls_cycle(program, word)) {
+        return Vec::new(); // most programs of machines measure nothing
+    }
     let programs = programs(program);
     let mut walk = Walk {
         program,

@@ -2,7 +2,7 @@
 
 use super::flow::structure::target;
 use crate::dialect::Dialect;
-use crate::syntax::links::canonical;
+use crate::syntax::targets::canonical;
 use crate::syntax::{Block, Program};
 use std::collections::BTreeSet;
 

@@ -8,9 +8,8 @@ use crate::diagnostic::Diagnostic;
 use crate::entry::Cycle;
 use crate::own;
 use crate::syntax::Program;
-use crate::syntax::links::{canonical, targets};
 use crate::syntax::programs::programs;
-use std::collections::BTreeMap;
+use crate::syntax::targets::Targets;
 
 /// A program that the measuring cycles call.
 pub struct UserProgram {
@@ -46,21 +45,17 @@ pub fn label(cycle: &Cycle) -> String {
 
 /// The user's programs in a text.
 pub struct UserPrograms {
-    /// Each with its first block, and the blocks of its labels.
-    found: Vec<(&'static UserProgram, usize, BTreeMap<String, usize>)>,
+    /// Each with its first block, and its labels.
+    found: Vec<(&'static UserProgram, usize, Targets)>,
 }
 
 impl UserPrograms {
     /// Those of this text.
     pub fn of(program: &Program) -> UserPrograms {
-        let (all, targets) = (programs(program), targets(program));
+        let all = programs(program);
         let of = |user: &'static UserProgram| {
-            let unit = all.named(user.name)?;
-            let inside = |(label, blocks): (&String, &Vec<usize>)| {
-                Some((label.clone(), *blocks.iter().find(|block| unit.blocks.contains(block))?))
-            };
-            let labels = targets.iter().filter_map(inside).collect();
-            Some((user, unit.blocks.start, labels))
+            let blocks = all.named(user.name)?.blocks.clone();
+            Some((user, blocks.start, Targets::within(program, blocks)))
         };
         UserPrograms { found: ALL.into_iter().filter_map(of).collect() }
     }
@@ -71,15 +66,15 @@ impl UserPrograms {
             return Vec::new();
         }
         let label = label(cycle);
-        let note = |(user, first, labels): &(&'static UserProgram, usize, BTreeMap<String, usize>)| {
-            let found = labels.get(&canonical(&label));
+        let note = |(user, first, labels): &(&'static UserProgram, usize, Targets)| {
+            let found = labels.blocks(&label).first().copied();
             let sentence = match (user.name == BEFORE.name, found) {
                 (true, Some(_)) => own::RUNS_BEFORE,
                 (true, None) => own::RUNS_BEFORE_WHOLE,
                 (false, Some(_)) => own::RUNS_BEHIND,
                 (false, None) => own::RUNS_BEHIND_WHOLE,
             };
-            let line = found.copied().unwrap_or(*first) as f64 + 1.0;
+            let line = found.unwrap_or(*first) as f64 + 1.0;
             sentence.finding().text("name", user.name).text("label", &label).number("line", line)
         };
         self.found.iter().map(note).collect()

@@ -3,7 +3,7 @@
 use super::{Datum, Interpreter, Next, Words, evaluate, expression, locals, names};
 use crate::diagnostic::Span;
 use crate::problem::Problem;
-use crate::syntax::links::{Link, canonical};
+use crate::syntax::links::Link;
 use crate::syntax::tree::{Expr, ExprId, Word, WordKind};
 use std::rc::Rc;
 
@@ -140,8 +140,8 @@ pub fn target(run: &Interpreter, id: ExprId) -> Result<String, Problem> {
 
 /// Blocks of a label or a block number in the present program.
 pub fn places(run: &Interpreter, target: &str) -> Vec<usize> {
-    let blocks = run.targets().get(&canonical(target));
+    let blocks = run.targets().blocks(target);
     let own = run.levels.last().map(|level| level.blocks.clone());
-    let inside = |block: &&usize| own.as_ref().is_none_or(|own| own.contains(block));
-    blocks.into_iter().flatten().filter(inside).copied().collect()
+    let inside = |block: &usize| own.as_ref().is_none_or(|own| own.contains(block));
+    blocks.into_iter().filter(inside).collect()
 }

@@ -10,7 +10,7 @@ use crate::entry::{Cycle, Inputs, Kind, Typed};
 use crate::machine::Machine;
 use crate::problem::Problem;
 use crate::program::user_programs::{BEFORE, BEHIND, UserProgram, label};
-use crate::syntax::{links::canonical, programs::Unit};
+use crate::syntax::programs::Unit;
 use crate::{check, own};
 
 /// SINUMERIK: the parameters are user data and keep their values from call to call (B:1696).
@@ -157,6 +157,6 @@ fn around(run: &mut Interpreter, program: &UserProgram, cycle: &Cycle, span: Spa
 
 /// The block with the label of the cycle, else the first one.
 fn start(run: &Interpreter, unit: &Unit, cycle: &Cycle) -> usize {
-    let mut inside = run.targets().get(&canonical(&label(cycle))).into_iter().flatten();
-    inside.find(|block| unit.blocks.contains(block)).copied().unwrap_or(unit.blocks.start)
+    let blocks = run.targets().blocks(&label(cycle));
+    blocks.into_iter().find(|block| unit.blocks.contains(block)).unwrap_or(unit.blocks.start)
 }

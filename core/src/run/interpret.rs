@@ -16,6 +16,7 @@ use crate::message::Message;
 use crate::problem::Problem;
 use crate::syntax::links::{Link, Links};
 use crate::syntax::programs::{Programs, Unit};
+use crate::syntax::targets::Targets;
 use crate::syntax::{Program, links as flow, programs};
 use std::cell::{Cell, OnceCell};
 use std::collections::{BTreeMap, BTreeSet};
@@ -43,7 +44,7 @@ pub struct Interpreter {
     pub contour: Option<Contour>,
     /// Findings so far, each place and kind once.
     pub diagnostics: Vec<Diagnostic>,
-    targets: OnceCell<BTreeMap<String, Vec<usize>>>,
+    targets: OnceCell<Targets>,
     pub links: Links,
     pub programs: Programs,
     /// Place among them of the one that is run as main program.
@@ -475,8 +476,8 @@ impl Interpreter {
     }
 
     /// The blocks that a jump may name; found when the first one does.
-    pub fn targets(&self) -> &BTreeMap<String, Vec<usize>> {
-        self.targets.get_or_init(|| flow::targets(&self.program))
+    pub fn targets(&self) -> &Targets {
+        self.targets.get_or_init(|| Targets::of(&self.program))
     }
 
     /// What is linked to a block.

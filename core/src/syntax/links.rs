@@ -110,20 +110,3 @@ fn loop_number(program: &Program, words: &[Word]) -> Option<f64> {
         _ => None,
     })
 }
-
-/// Block of a label or a block number, by the text in upper case (`N100`, `LABEL`).
-pub fn targets(program: &Program) -> BTreeMap<String, Vec<usize>> {
-    let mut targets: BTreeMap<String, Vec<usize>> = BTreeMap::new();
-    for (i, block) in program.blocks.iter().enumerate() {
-        for name in block.number.into_iter().chain(program.words_of(block).iter().filter_map(Word::label)) {
-            targets.entry(canonical(&program.name(name))).or_default().push(i);
-        }
-    }
-    targets
-}
-
-/// `N0100`, `:100` and `100` are the same place.
-pub fn canonical(name: &str) -> String {
-    let number = name.strip_prefix(['N', ':']).unwrap_or(name).parse::<u64>();
-    number.map_or(name.to_owned(), |number| format!("N{number}"))
-}

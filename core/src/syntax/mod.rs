@@ -23,6 +23,7 @@ pub mod programs;
 mod reader;
 mod sinumerik;
 mod sinumerik_expression;
+pub mod targets;
 pub mod tree;
 
 pub(crate) use block::BETWEEN;

@@ -24,6 +24,10 @@ export interface Practice {
   record(): RunRecord | null;
   /** The machine as it was before the first line, its part where it really lies. */
   setup(): Setup | null;
+  /** RESET; a measurement that is still seen to run is cancelled by it. */
+  reset(): void;
+  /** Whether a measurement is seen to run. */
+  running(now: boolean): void;
   undo(): void;
   /** The machine as it was before the first line. */
   restart(): void;
@@ -46,6 +50,9 @@ export const practises = (state: State, catalogue: { practises: string[] }): boo
 
 type Asked = Pick<JogState, "lines" | "seed" | "part" | "piece" | "revealed">;
 
+/** NC start, and with RESET while it measures. */
+export const START = "start";
+const CANCELLED = "start reset";
 /** Where it is told that the probe cannot get in front of a face. */
 export const FACE = "face";
 /** A line that moves one axis by a way. */
@@ -53,6 +60,9 @@ const BY = /^jog ([XYZ])(-?[\d.]+)$/;
 /** What the first lines of a kept script say of the part. */
 const LAID = /^; part (seed=(?<seed>\d+)|x=(?<x>\S+) y=(?<y>\S+) z=(?<z>\S+) tilt=(?<tilt>\S+) size=(?<size>\S+))$/m;
 const PIECE = /^; piece (?<piece>[a-z]+)$/m;
+
+/** The largest number by which chance puts a part. */
+const LAST_SEED = 2 ** 32 - 1;
 
 /** The file of a script. */
 export const FILE = "practice.jog";
@@ -115,6 +125,7 @@ export function createPractice(store: Store, core: () => ProgramCore | null): Pr
     const setup = profile(store.state) ?? null;
     set({ lines: done, seed, part, piece, revealed, seen, refused: why, told, program, setup });
   };
+  let running = false;
   const press = (line: string, field = ""): void => carryOut({ lines: [...store.state.jog.lines, line] }, field);
   return {
     begin() {
@@ -147,6 +158,16 @@ export function createPractice(store: Store, core: () => ProgramCore | null): Pr
     core,
     record: () => core()?.practiceRecord(requestOf(store.state.jog), FILE) ?? null,
     setup: () => core()?.practiceSetup(requestOf(store.state.jog)) ?? null,
+    reset() {
+      const { lines } = store.state.jog;
+      const cancels = running && lines.at(-1) === START;
+      running = false;
+      if (cancels) carryOut({ lines: [...lines.slice(0, -1), CANCELLED] });
+      else press("reset");
+    },
+    running(now) {
+      running = now;
+    },
     undo: () => carryOut({ lines: store.state.jog.lines.slice(0, -1) }),
     restart: () => carryOut({ lines: beginning(store.state.jog), seed: store.state.jog.seed }),
     lay(part) {
@@ -161,6 +182,10 @@ export function createPractice(store: Store, core: () => ProgramCore | null): Pr
       if (typeof text !== "string") return set({ refused: { field: "", text: "", line: 0, message: text, left: 0 } });
       const laid: Record<string, string | undefined> = LAID.exec(text)?.groups ?? {};
       const { seed, x, y, z, tilt, size } = laid;
+      if (seed && Number(seed) > LAST_SEED) {
+        const message = { key: "document-whole-range", args: { path: "seed", value: seed, min: 0, max: LAST_SEED } };
+        return set({ refused: { field: "", text: seed, line: 1, message, left: 0 } });
+      }
       const number = (value: string | undefined): number => parseNumber(value ?? "") ?? 0;
       const part = {
         ...AS_SET_UP,

@@ -27,6 +27,7 @@ export const startLine = ({ state }: PracticeView): string => (state === "activa
 
 export function createMask(root: HTMLElement, practice: Practice, leads: Insert): (state: State) => void {
   let open = "";
+  let told: PracticeView["raised"];
   return ({ jog }) => {
     if (!jog.seen) return;
     const focused = root.contains(document.activeElement);
@@ -36,6 +37,10 @@ export function createMask(root: HTMLElement, practice: Practice, leads: Insert)
     if (focused && now !== open) first(root, jog.seen, open)?.focus();
     else if (focused && !root.contains(document.activeElement)) root.querySelector<HTMLElement>(".jog-start")?.focus();
     open = now;
+    const { raised } = jog.seen;
+    // on a phone it may lie under the stage
+    if (raised && raised !== told) root.querySelector(".jog-raised")?.scrollIntoView({ block: "nearest" });
+    told = raised;
   };
 }
 
@@ -326,7 +331,7 @@ function keys(jog: JogState, seen: PracticeView, practice: Practice): TemplateRe
             </button>`
           : nothing
       }
-      <button type="button" class="jog-reset" @click=${() => practice.press("reset")}>RESET</button>
+      <button type="button" class="jog-reset" @click=${() => practice.reset()}>RESET</button>
     </div>
     ${refused?.field === "start" ? refusal(refused) : nothing}
   `;
@@ -351,7 +356,7 @@ function raised({ raised: one, keys: { reset } }: PracticeView, practice: Practi
         ${one.code ? html`<strong>${t("practice-alarm", { alarm: one.code })}</strong>` : nothing}
         ${say(one.message)} ${one.hint ? html`<br />${say(one.hint)}` : nothing}
       </span>
-      ${reset ? html`<button type="button" @click=${() => practice.press("reset")}>RESET</button>` : nothing}
+      ${reset ? html`<button type="button" @click=${() => practice.reset()}>RESET</button>` : nothing}
     </div>
   `;
 }

@@ -1,7 +1,7 @@
 // The stage while one practises: the part as it lies, the probe where it is; what NC start began is seen as it happens.
 
 import type { SceneData } from "../core/scene";
-import { FACE, type Practice } from "../desk/practice";
+import { FACE, type Practice, START } from "../desk/practice";
 import { el, setAttribute, setText, show } from "../dom";
 import type { IconName } from "../icons";
 import type { Preview, ViewName } from "../preview/view";
@@ -64,7 +64,7 @@ export function createJogStage(root: HTMLElement, stage: Stage, practice: Practi
     listenTo(preview, { face: ({ at, normal }) => practice.face(at, normal), grab });
     const refused = jog.refused?.field === FACE ? jog.refused : null;
     setText(hint, refused ? say(refused.message) : t("practice-face"));
-    show(hint, !!refused || !jog.lines.includes("start")); // whoever has measured knows how to move the probe
+    show(hint, !!refused || !jog.lines.includes(START)); // whoever has measured knows how to move the probe
     setAttribute(hint, "data-refused", String(!!refused));
     const theme = shownTheme(page.theme);
     const colours = stage.colours(theme);
@@ -78,8 +78,9 @@ export function createJogStage(root: HTMLElement, stage: Stage, practice: Practi
       preview.setCovered(0);
       preview.setScene(data, null);
       const last = data.view.entries - 1;
-      const measured = !fresh && jog.lines.at(-1) === "start" && !still.matches;
-      play(preview, data, measured ? Math.min(jog.seen?.from ?? last, last) : last);
+      const measured = !fresh && jog.lines.at(-1) === START && !still.matches;
+      practice.running(measured);
+      play(preview, data, measured ? Math.min(jog.seen?.from ?? last, last) : last, () => practice.running(false));
       if (fresh) preview.fit();
     }
     shown = { data, theme };
@@ -97,8 +98,8 @@ function listenTo(
 
 let playing = 0;
 
-/** From an entry to the last one, in real time, faster where that would take long. */
-function play(preview: Preview, { begins }: SceneData, from: number): void {
+/** From an entry to the last one, in real time, faster where that would take long; then `ended`. */
+function play(preview: Preview, { begins }: SceneData, from: number, ended: () => void): void {
   cancelAnimationFrame(playing);
   const last = begins.length - 2;
   const [first = 0, end = 0] = [begins[from], begins[last + 1]];
@@ -108,7 +109,7 @@ function play(preview: Preview, { begins }: SceneData, from: number): void {
     const at = first + (Math.max(0, now - start) / 1000) * speed;
     if (at >= end || from >= last) {
       preview.setStep(Math.max(0, last), 1);
-      return;
+      return ended();
     }
     let step = from;
     while (step < last && (begins[step + 1] ?? end) <= at) step++;

@@ -6,7 +6,7 @@ import { live } from "lit-html/directives/live.js";
 import { repeat } from "lit-html/directives/repeat.js";
 import type { ProgramCore } from "../core/program";
 import type { Actions } from "../desk/actions";
-import { el, on, setAttribute, setText } from "../dom";
+import { el, on, setAttribute, setOff, setText } from "../dom";
 import { type IconName, iconPart } from "../icons";
 import { meantBy } from "../keys";
 import { plain } from "../numbers";
@@ -362,7 +362,7 @@ export function createEquipment(
       drawAll();
     },
     draw({ history }) {
-      undo.disabled = history.past.length === 0;
+      setOff(undo, history.past.length === 0, close);
     },
   };
 }

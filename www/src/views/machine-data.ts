@@ -5,7 +5,7 @@ import { live } from "lit-html/directives/live.js";
 import { repeat } from "lit-html/directives/repeat.js";
 import type { ProgramCore } from "../core/program";
 import type { Actions } from "../desk/actions";
-import { el, on, setText } from "../dom";
+import { el, on, setOff, setText } from "../dom";
 import { glossPart } from "../glossary";
 import { plain } from "../numbers";
 import { machine } from "../state/state";
@@ -177,7 +177,11 @@ export function createMachineData(
     const empty = html`<p class="empty">${t(all.length === 0 ? "machine-data-nothing" : "machine-data-none")}</p>`;
     const groups = repeat(shown, group => group.label.key, groupOf);
     render(html`${own}${shown.length ? groups : own === nothing ? empty : nothing}`, list);
-    reset.disabled = all.every(field => !isChanged(field));
+    setOff(
+      reset,
+      all.every(field => !isChanged(field)),
+      close,
+    );
     assignments.disabled = view.assignments === "";
   }
   const isChanged = (field: MachineField): boolean => differs(field) || field.name in typed;

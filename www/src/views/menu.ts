@@ -33,9 +33,11 @@ export function createMenu(
     const all = [...document.querySelectorAll(opens)];
     place(list, (all.find(one => one.checkVisibility()) ?? button).getBoundingClientRect());
   });
-  on(list, "click", event => {
-    if (event.target instanceof Element && event.target.closest("button:not([data-stays]), a")) list.hidePopover();
-  });
+  // before the entry does anything: the focus is back where the menu was opened, and a dialog gives it back there
+  const chosen = ({ target }: Event): void => {
+    if (target instanceof Element && target.closest("button:not([data-stays]), a")) list.hidePopover();
+  };
+  list.addEventListener("click", chosen, { capture: true });
   on(list, "focusout", ({ relatedTarget: to }) => {
     if (to instanceof Element && !list.contains(to) && !to.closest(opens)) list.hidePopover();
   });

@@ -1,7 +1,7 @@
 // Scanning a surface: which one, how far it is, how far the points lie from it, and the files.
 
 import type { Derived } from "../desk/derive";
-import { el, keyed, on, setAttribute, setText, show } from "../dom";
+import { el, keyed, on, setOff, setText, show } from "../dom";
 import { fixed } from "../numbers";
 import type { Scanner, Work } from "../scan/scanner";
 import { NotTaken, readSurface, type SurfaceFile } from "../scan/surface";
@@ -120,8 +120,12 @@ export function createScan(
     now = { state, derived };
     const scanning = !!doing(scanner, "scanning");
     const scan = state.scan.made?.request.cycle === derived.cycle.cycle ? state.scan.made : null;
-    setAttribute(begin, "disabled", scanning || !derived.view.complete || !derived.view.setup);
-    for (const one of working) one.draw(state);
+    setOff(begin, scanning || !derived.view.complete || !derived.view.setup, choice);
+    for (const one of working) {
+      const held = one.root.contains(document.activeElement);
+      one.draw(state);
+      if (held && one.root.hidden) begin.focus();
+    }
     setText(status, scanning ? "" : said(state, derived, scan));
     show(status, !scanning);
     const raised = scan?.view.alarms ?? [];

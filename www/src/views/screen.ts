@@ -128,10 +128,13 @@ export function createScreen(
       now = step;
       const seen = screens(state, derived).findLast(({ screen, gone }) => screen.at <= step && step < gone)?.screen;
       const wait = waits(state, derived).find(({ at }) => at === step);
+      const waiting = seen?.until === "start" || !!wait;
+      const comes = waiting && doing.hidden;
       show(root, !!seen || !!wait);
-      show(doing, seen?.until === "start" || !!wait);
+      show(doing, waiting);
       if (halts.checked !== state.view.halts) halts.checked = state.view.halts;
       render(wait ? halted(wait.text) : seen ? body(seen) : nothing, shown);
+      if (comes) start.scrollIntoView({ block: "nearest" }); // on a phone the stage may lie below the page's edge
     },
   };
 }

@@ -1,6 +1,8 @@
 // A chart over the parts of a series: lines of one unit, and values that are the same for all parts. The pointer, or
 // the arrow keys, choose a part, whose figures are told below the chart; all of them stand in the table.
 
+import { ticks } from "d3-array";
+import { line } from "d3-shape";
 import { html, nothing, svg, type TemplateResult } from "lit-html";
 import { t } from "../texts";
 import { amount, unitBehind } from "./amounts";
@@ -36,13 +38,11 @@ function span(lines: readonly Line[]): [number, number] {
 
 /** The path of a line, interrupted where there is no value. */
 function path(values: readonly (number | null)[], x: (part: number) => number, y: (value: number) => number): string {
-  let drawn = "";
-  let down = false;
-  values.forEach((value, part) => {
-    if (value !== null) drawn += `${down ? "L" : "M"}${x(part).toFixed(1)} ${y(value).toFixed(1)}`;
-    down = value !== null;
-  });
-  return drawn;
+  const way = line<number | null>(
+    (_, part) => x(part),
+    value => y(value ?? 0),
+  ).defined(value => value !== null);
+  return way.digits(1)(values) ?? "";
 }
 
 /** The part that a key goes to from another; the same one: the key is none of the chart. */
@@ -61,15 +61,6 @@ function told(lines: readonly Line[], part: number, unit: string): string {
     return value == null ? [] : [`${name} ${amount(value, unit)}${unitBehind(unit)}`];
   });
   return [t("runs-part-at", { part: part + 1 }), ...values].join(" · ");
-}
-
-/** Round values between two others. */
-function ticksOf(low: number, high: number): number[] {
-  const rough = (high - low) / TICKS;
-  const power = 10 ** Math.floor(Math.log10(rough));
-  const step = power * ([1, 2, 5].find(one => one * power >= rough) ?? 10);
-  const first = Math.ceil(low / step);
-  return Array.from({ length: Math.floor(high / step) - first + 1 }, (_, at) => (first + at) * step);
 }
 
 /** `runs`: how many parts; `room`: what there is for it, px; `title`: what it shows, in words. */
@@ -99,8 +90,8 @@ export function chart(
     stage.setAttribute("aria-valuenow", String(part + 1));
     stage.setAttribute("aria-valuetext", words);
     stage.querySelector(".series-cursor")?.setAttribute("d", `M${x(part).toFixed(1)} 0V${HEIGHT - BOTTOM}`);
-    const line = stage.parentElement?.querySelector(".series-told");
-    if (line) line.textContent = words;
+    const below = stage.parentElement?.querySelector(".series-told");
+    if (below) below.textContent = words;
   };
   const pointed = (event: PointerEvent): void => {
     const stage = event.currentTarget as Element;
@@ -116,14 +107,13 @@ export function chart(
     event.preventDefault();
     choose(stage, to);
   };
-  const ticks = ticksOf(low, high);
   return html`<figure class="series-chart">
     <figcaption>${title}${unitBehind(unit)}</figcaption>
     <svg class="series-stage" viewBox=${`0 0 ${width} ${HEIGHT}`} role="slider" tabindex="0" aria-label=${title}
       aria-valuemin="1" aria-valuemax=${last + 1} aria-valuenow="1" aria-valuetext=${told(lines, 0, unit)}
       @pointermove=${pointed} @pointerdown=${pointed} @keydown=${typed}>
       <path class="series-cursor"></path>
-      ${ticks.map(
+      ${ticks(low, high, TICKS).map(
         value => svg`<path class="series-grid" d=${`M${LEFT} ${y(value)}H${width}`}></path>
           <text class="series-tick" x=${LEFT - 6} y=${y(value) + 4} text-anchor="end">${amount(value, unit)}</text>`,
       )}

@@ -2,7 +2,7 @@
 
 import type { Actions } from "../desk/actions";
 import type { Derived } from "../desk/derive";
-import { el, keyed, on, setAttribute, setText, show } from "../dom";
+import { el, keyed, on, setAttribute, setText, show, showElse } from "../dom";
 import { type State, setsOf } from "../state/state";
 import { t } from "../texts";
 
@@ -90,7 +90,7 @@ export function createSets(actions: Actions): Sets {
         () => undefined,
       );
       setText(said, state.page.offer && state.page.notice ? t(state.page.notice) : "");
-      show(undo, state.page.offer);
+      showElse(undo, state.page.offer, close);
       setAttribute(undo, "disabled", !state.page.offer);
     },
   };

@@ -104,10 +104,10 @@ pub fn run(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Result<
     let setup = setup(arguments, words, out)?;
     let mut text = text.on(setup.as_ref(), arguments)?;
     let mut progress = Progress::new(words);
-    let mut ran = carried_out(&text, setup.as_ref(), &given, limits, &mut progress)?;
+    let (mut program, mut ran) = carried_out(&text, setup.as_ref(), &given, limits, &mut progress)?;
     if !text.was_run()? {
         text = Text::whole(arguments)?.on(setup.as_ref(), arguments)?;
-        ran = carried_out(&text, setup.as_ref(), &given, limits, &mut progress)?;
+        (program, ran) = carried_out(&text, setup.as_ref(), &given, limits, &mut progress)?;
     }
     progress.end();
     let Assumed { setup, outcome, told } = ran;
@@ -123,7 +123,7 @@ pub fn run(arguments: &Arguments, words: &Words, out: &mut dyn Write) -> Result<
             writeln!(out, "{}", words.text(assumption))?;
         }
         text.print(&outcome.diagnostics, words, out)?;
-        text.print_around(&setup, words, out)?;
+        text.print_around(&program, &setup, words, out)?;
         print_outcome(joined, &outcome, words, out)?;
         if arguments.screens {
             let view = RunView::new(setup.clone(), outcome, &joined.text);
@@ -179,20 +179,25 @@ fn write_record(
     Ok(fits)
 }
 
-/// Runs a text on the machine that is named, else on one that fits it.
+/// Runs a text on the machine that is named, else on one that fits it; with the program, or its beginning.
 fn carried_out(
     text: &Text,
     setup: Option<&Setup>,
     given: &Given,
     limits: Limits,
     progress: &mut Progress,
-) -> Result<Assumed, Problem> {
+) -> Result<(Rc<Program>, Assumed), Problem> {
     let mut told = |session: &Session| progress.tell(session);
     let (program, prepare) = text.begin(setup, given.clone())?;
     let main = given.program.as_deref();
-    let Some(setup) = setup else { return Ok(assumed::run_with(&program, main, limits, prepare, &mut told)) };
-    let outcome = prepare(Session::new(program, setup, limits)).complete_told(&mut told);
-    Ok(Assumed { outcome, setup: setup.clone(), told: Vec::new() })
+    let ran = match setup {
+        None => assumed::run_with(&program, main, limits, prepare, &mut told),
+        Some(setup) => {
+            let outcome = prepare(Session::new(Rc::clone(&program), setup, limits)).complete_told(&mut told);
+            Assumed { outcome, setup: setup.clone(), told: Vec::new() }
+        }
+    };
+    Ok((program, ran))
 }
 
 /// The machine that is named.
@@ -274,16 +279,20 @@ impl Text {
     }
 
     /// Prints the blocks that stand around the calls and what the user runs there, where the text is held.
-    fn print_around(&self, setup: &Setup, words: &Words, out: &mut dyn Write) -> std::io::Result<()> {
+    fn print_around(
+        &self,
+        program: &Program,
+        setup: &Setup,
+        words: &Words,
+        out: &mut dyn Write,
+    ) -> std::io::Result<()> {
         if self.stream.is_some() {
             return Ok(());
         }
-        let macros = &setup.control.definitions.macros;
-        let program = syntax::read_held(self.joined.dialect, &self.joined.text, macros, &mut |_| {});
-        let around = UserPrograms::of(&program);
-        for call in calls_on(&program, setup.control.clone()) {
+        let around = UserPrograms::of(program);
+        for call in calls_on(program, setup.control.clone()) {
             let notes = user_programs(&around, &call, &self.joined, words);
-            for block in ways(&program, &call, &setup.control, words).into_iter().chain(notes) {
+            for block in ways(program, &call, &setup.control, words).into_iter().chain(notes) {
                 let (path, line) = self.joined.line(call.line);
                 writeln!(out, "{}:{}: {}: {block}", path.display(), line + 1, call.cycle.name)?;
             }

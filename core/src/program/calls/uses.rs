@@ -35,6 +35,11 @@ pub(super) fn is_cycle(program: &Program, name: Span) -> bool {
     program.text(name).get(..5).is_some_and(|start| start.eq_ignore_ascii_case(b"CYCLE"))
 }
 
+/// Whether a word calls a cycle of the control.
+pub(super) fn calls_cycle(program: &Program, word: &Word) -> bool {
+    word.called().is_some_and(|name| is_cycle(program, name))
+}
+
 /// Whether a word calls a cycle of the control that does something.
 pub(super) fn measures_itself(program: &Program, word: &Word) -> bool {
     word.called().is_some_and(|name| is_cycle(program, name) && !program.is(name, AUXILIARY))

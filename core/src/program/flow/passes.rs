@@ -4,7 +4,8 @@
 use super::structure::{Branches, Open, target};
 use super::{ENTRIES, Meet};
 use crate::syntax::fold::NOTHING;
-use crate::syntax::links::{structural, targets};
+use crate::syntax::links::structural;
+use crate::syntax::targets::Targets;
 use crate::syntax::{Program, Word, WordKind, fold};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::ops::Range;
@@ -82,8 +83,10 @@ impl<S: Meet> Passes<S> {
             }
         }
         if !names.is_empty() {
-            found.labels = targets(program);
-            found.labels.retain(|name, _| names.contains(name));
+            let targets = Targets::of(program);
+            let blocks = names.into_iter().map(|name| (targets.blocks(&name), name));
+            let there = blocks.filter(|(blocks, _)| !blocks.is_empty());
+            found.labels = there.map(|(blocks, name)| (name, blocks)).collect();
             found.heads.extend(found.labels.values().flatten().map(|at| (*at, Head::default())));
         }
         found

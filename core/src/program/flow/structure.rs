@@ -1,7 +1,8 @@
 //! Ways through one program: `IF` to `ENDIF`, loops that may not run, jumps forward, ends.
 
 use super::Meet;
-use crate::syntax::links::{canonical, structural};
+use crate::syntax::links::structural;
+use crate::syntax::targets::canonical;
 use crate::syntax::{Block, Expr, Program, Word, WordKind};
 use std::collections::HashMap;
 

@@ -6,8 +6,8 @@ use super::{ALL, BEFORE, UserProgram, callers, label};
 use crate::dialect::Dialect;
 use crate::entry::{Cycle, names};
 use crate::syntax::language::BY_TEXT;
-use crate::syntax::links::{canonical, targets};
 use crate::syntax::programs::bare;
+use crate::syntax::targets::Targets;
 use crate::syntax::{Block, Expr, ExprId, Program, Word, WordKind, read};
 use std::collections::BTreeSet;
 use std::fmt::Write;
@@ -132,14 +132,14 @@ pub fn unread(lines: &[String]) -> Vec<&str> {
 pub fn leaves(lines: &[String], labels: &[String]) -> Vec<String> {
     let text = lines.join("\n");
     let program = read(Dialect::Sinumerik, text.as_bytes());
-    let own = targets(&program);
+    let own = Targets::of(&program);
     let target = |word: &Word| match &word.kind {
         WordKind::Keyword { value: Some(value), .. } if program.is_keyword(word, &JUMPS) => {
             Some(program.written(program.place(*value)).to_ascii_uppercase())
         }
         _ => None,
     };
-    let there = |name: &String| own.contains_key(&canonical(name)) || labels.contains(name);
+    let there = |name: &String| !own.blocks(name).is_empty() || labels.contains(name);
     program.words.iter().filter_map(target).filter(|name| !there(name)).collect()
 }
 
