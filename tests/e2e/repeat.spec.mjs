@@ -22,6 +22,20 @@ describe("the test of a probe", () => {
     const shown = page.getByRole("dialog", { name: "Test a probe" });
     await shown.getByText(/^10 touches, mean 25/).waitFor();
     await counts(shown.locator(".repeat-notes li"), 1); // the probe of the core's own machine does not scatter
+    const hint = async (label, text) =>
+      await shown
+        .getByLabel(label)
+        .and(page.locator(`[placeholder="${text}"]`))
+        .waitFor();
+    await hint("Feed", "150\u{a0}mm/min");
+    await hint("End without a signal", "50\u{a0}mm");
+    await shown.getByLabel("Axis").selectOption("Z"); // along the probe its ball goes ahead
+    await hint("End without a signal", "-50\u{a0}mm");
+    await shown.getByLabel("End without a signal").fill("30");
+    await shown.getByText(/other side of the start, such as Z-30/).waitFor();
+    await shown.getByLabel("End without a signal").fill("");
+    await shown.getByLabel("Axis").selectOption("X");
+    await shown.getByText(/^10 touches, mean 25/).waitFor();
     await shown.getByLabel("Values of the real machine").fill(DRIFTING);
     await shown.getByText("10 touches, mean 20.00375 mm").waitFor();
     await shown.getByText(/^Proposed _TZL = 0.003/).waitFor();

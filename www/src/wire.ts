@@ -2792,9 +2792,12 @@ export type RepeatRequest = {
   axis?: string,
   /** Where the motion begins, in the unit that is active; absent: 0. */
   from?: number,
-  /** Where it ends without a signal; absent: 50. */
+  /**
+   * Where it ends without a signal; absent: 50 mm or 2 inch from there, in the function test twice that, in plus
+   * direction, or with the ball of the probe ahead.
+   */
   to?: number,
-  /** Feed a minute in that unit; absent: 150 mm/min. */
+  /** Feed a minute in that unit; absent: 150 mm/min or 6 inch/min. */
   feed?: number,
   /** Measuring input, 1 or 2; absent: that of the workpiece probe, `_CHBIT[0]`. */
   input?: number,
@@ -2826,6 +2829,18 @@ export type RepeatTrend = {
   certain: boolean,
 };
 
+/** What is taken where nothing else is asked for, in the unit of the view. */
+export type RepeatUsual = {
+  /** Where the motion begins. */
+  from: number,
+  /** Where it ends without a signal. */
+  to: number,
+  /** Feed a minute. */
+  feed: number,
+  /** Touches. */
+  count: number,
+};
+
 /** The programs, and what the values come to. */
 export type RepeatView = {
   /** One touch: whether the probe switches. */
@@ -2836,6 +2851,8 @@ export type RepeatView = {
   says: Array<string>,
   /** `mm` or `inch`. */
   unit: string,
+  /** What is taken where nothing else is asked for. */
+  usual: RepeatUsual,
   /** What the values come to, a line each. */
   told: Array<Message>,
   /** What should be known beside it. */
@@ -4052,7 +4069,7 @@ export type UserProgramsView = {
   /** What should be known beside them. */
   notes: Array<Message>,
   /** Places in the manual. */
-  sources: [string, string],
+  sources: [Cited, Cited],
 };
 
 /** Values of a variant as typed, by parameter name. */

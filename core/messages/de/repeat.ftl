@@ -15,7 +15,10 @@ repeat-many = Höchstens { $most } Werte werden ausgewertet.
 repeat-not-a-number = { $value } ist keine Zahl.
 repeat-no-signal = Der Messtaster hat unterwegs nicht geschaltet, deshalb gibt es keine Werte.
 repeat-no-tool = Diese Maschine hat kein Werkzeug T{ $tool } D{ $edge }, also keinen Messtaster: ihn bei den Werkzeugen eintragen oder den Messtaster in die Spindel setzen.
+repeat-no-probe = T{ $tool } D{ $edge } ist vom Typ { $kind }, also tastet hier kein Messtaster an: es mit Typ 710 eintragen, im Revolver mit 580, oder den Messtaster in die Spindel setzen.
+repeat-behind = In dieser Richtung liegt die Messtasterkugel hinter dem Tastschaft, sodass sie nichts antasten kann. Ein Ende auf der anderen Seite des Starts wählen, etwa { $axis }{ $to }.
 repeat-no-scatter = Der Messtaster dieser Maschine streut nicht: Jede Antastung ergibt denselben Wert. Seine Wiederholgenauigkeit eingeben oder Werte der realen Maschine einfügen.
+repeat-diameters = Diese Werte von X sind Durchmesser: Die Wiederholgenauigkeit des Messtasters ist die Hälfte dieser Abweichung.
 repeat-drift = Die Werte wandern von Antastung zu Antastung: Das ist nicht zufällig. Test mit warmer Maschine wiederholen.
 repeat-narrow = Drei Standardabweichungen sind { $three }, mehr als das vorgeschlagene _TZL: Mehr Antastungen fänden größere Abweichungen.
 repeat-switched = Funktionstest: Der Messtaster schaltet bei { $axis } = { $value }{ $unit }; das Programm hält bei M0, mit diesem Wert in R1

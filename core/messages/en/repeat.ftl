@@ -15,7 +15,10 @@ repeat-many = At most { $most } values are evaluated.
 repeat-not-a-number = { $value } is not a number.
 repeat-no-signal = The probe did not switch on the way, so there are no values.
 repeat-no-tool = This machine has no tool T{ $tool } D{ $edge }, so there is no probe to touch with: enter it among the tools, or put the probe into the spindle.
+repeat-no-probe = T{ $tool } D{ $edge } is of type { $kind }, so no probe touches here: enter it as type 710, in a turret as 580, or put the probe into the spindle.
+repeat-behind = In this direction the ball is behind the stylus, so nothing can be touched. Choose an end on the other side of the start, such as { $axis }{ $to }.
 repeat-no-scatter = The probe of this machine has no repeatability error: each touch gives the same value. Set its repeatability, or paste values from the real machine.
+repeat-diameters = These values of X are diameters: the repeatability of the probe is half of this deviation.
 repeat-drift = The values drift from touch to touch: this is not random. Repeat the test when the machine is warm.
 repeat-narrow = Three standard deviations are { $three }, more than the proposed _TZL: more touches would find larger deviations.
 repeat-switched = Function test: the probe switches at { $axis } = { $value }{ $unit }; the program stops at M0, with this value in R1

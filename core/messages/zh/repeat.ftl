@@ -15,7 +15,10 @@ repeat-many = 最多评估 { $most } 个值。
 repeat-not-a-number = { $value } 不是数字。
 repeat-no-signal = 测头在移动中没有触发，因此没有测量值。
 repeat-no-tool = 此机床没有刀具 T{ $tool } D{ $edge }，因此没有可用的测头：请在刀具表中输入，或将测头装入主轴。
+repeat-no-probe = T{ $tool } D{ $edge } 的类型是 { $kind }，因此这里没有测头可以触碰：请将其类型输入为 710（刀塔中为 580），或将测头装入主轴。
+repeat-behind = 在此方向上测球位于测针之后，无法触碰。请在起点的另一侧选择终点，例如 { $axis }{ $to }。
 repeat-no-scatter = 这台机床的测头没有重复性误差：每次触碰的值都相同。请设置重复性，或粘贴实际机床的测量值。
+repeat-diameters = 这些 X 值是直径：测头的重复精度是此偏差的一半。
 repeat-drift = 测量值逐次漂移，不是随机偏差。请在机床预热后重新测试。
 repeat-narrow = 三倍标准偏差为 { $three }，大于建议的 _TZL：触碰次数更多时会出现更大的偏差。
 repeat-switched = 功能测试：测头在 { $axis } = { $value }{ $unit } 处触发；程序停在 M0，该值在 R1 中

@@ -197,6 +197,22 @@ mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
 
+    // oracle: manual A:13964-13968, B:4162 (cycles from SW 6.2 need NCK SW 6.3)
+    #[test]
+    #[cfg(feature = "cli")]
+    fn the_requirements_say_what_the_table_says() {
+        let [_, newer, ..] = FUNCTIONS;
+        let least = SOFTWARE.iter().find(|one| one.component == "NCU" && one.works[1] == Some(true)).unwrap();
+        for language in ["en", "de", "zh"] {
+            let words = crate::words::Words::of(language).unwrap();
+            let said = words.key("commission-requirements-versions-do");
+            let version =
+                newer.strip_prefix("cycles-").unwrap().chars().map(String::from).collect::<Vec<_>>().join(".");
+            let found = said.find(&format!("SW {version}")).zip(said.find(&format!("NCK SW {}", least.version)));
+            assert!(found.is_some_and(|(cycles, control)| cycles < control), "{language}: {said}");
+        }
+    }
+
     // oracle: manual A:13964-13968, B:13675-13687
     #[test]
     fn the_software_of_the_machine_is_marked() {

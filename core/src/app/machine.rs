@@ -3,7 +3,6 @@
 use super::Error;
 use super::finding::Finding;
 use super::start::{Machine, start};
-use crate::check;
 use crate::control::{Control, Units, Value, more_fields, rebuilt};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::dialect::Dialect;
@@ -210,7 +209,7 @@ fn field(setting: Setting, control: &Control, delivered: &Control) -> MachineFie
         Message::new(format!("machine-field-{key}")).number("number", number as f64)
     });
     let outside = || doubt(control, &setting).map(|(_, refusal)| outside(refusal));
-    let warned = check::braking::of_datum(control, &setting.name).or_else(outside).map(|found| Finding::of(&found));
+    let warned = super::braking::of_datum(control, &setting.name).or_else(outside).map(|found| Finding::of(&found));
     MachineField { setting, set, value: if value == fallback { String::new() } else { value }, fallback, warned }
 }
 

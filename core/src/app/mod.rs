@@ -115,7 +115,7 @@ pub use protocol::{Arrow, ProtocolColumns, ProtocolLine, ProtocolRequest, Protoc
 pub use record::{
     CalibrationState, ProbeOfCall, Record, RecordAbout, RecordFile, TableCall, TableRequest, csv, record_table,
 };
-pub use repeat::{RepeatFound, RepeatRequest, RepeatTrend, RepeatView, repeat, repeat_on, repeat_texts};
+pub use repeat::{RepeatFound, RepeatRequest, RepeatTrend, RepeatUsual, RepeatView, repeat, repeat_on, repeat_texts};
 pub use run::{OfCall, Run, RunAlarm, RunAnswer, RunAssumed, RunDecision, RunRequest, RunResult, RunView};
 pub use scan::{Scan, ScanRequest, ScanView, SurfaceChoice, put_surface};
 pub use scenario::{

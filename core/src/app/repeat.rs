@@ -3,10 +3,11 @@
 
 use super::Error;
 use super::start::{Machine, start};
-use crate::control::{AXES, Units};
+use crate::control::probe::{PROBE, upright};
+use crate::control::{AXES, BasicFrames, Control, Edge, LATHE_PROBE, Transverse, Units};
 use crate::dialect::Dialect;
 use crate::entry::Typed;
-use crate::geometry::{Mcs, Wcs};
+use crate::geometry::{Dir, Mcs};
 use crate::machine::Setup;
 use crate::message::Message;
 use crate::program::probe_test::{FIRST, Keep, ProbeTest, SAYS};
@@ -25,6 +26,19 @@ const INTERVALS: [usize; 2] = [5, 15];
 const BLOCK: f64 = 100.0;
 /// Largest coordinate, feed and number.
 const LARGEST: f64 = 1e5;
+/// How far the axis moves without a signal in repeated touches (B:15187-15217) and in the function test, and its feed
+/// (B:12825-12856): in mm, and as round values in inch.
+const USUAL: [Usual; 2] =
+    [Usual { way: 50.0, further: 100.0, feed: 150.0 }, Usual { way: 2.0, further: 4.0, feed: 6.0 }];
+/// Touches, as in the program of the manual (B:15187-15217).
+const TOUCHES: f64 = 10.0;
+
+/// Motions as the manual has them.
+struct Usual {
+    way: f64,
+    further: f64,
+    feed: f64,
+}
 
 /// What is tested.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
@@ -35,9 +49,10 @@ pub struct RepeatRequest {
     pub axis: Option<String>,
     /// Where the motion begins, in the unit that is active; absent: 0.
     pub from: Option<f64>,
-    /// Where it ends without a signal; absent: 50.
+    /// Where it ends without a signal; absent: 50 mm or 2 inch from there, in the function test twice that, in plus
+    /// direction, or with the ball of the probe ahead.
     pub to: Option<f64>,
-    /// Feed a minute in that unit; absent: 150 mm/min.
+    /// Feed a minute in that unit; absent: 150 mm/min or 6 inch/min.
     pub feed: Option<f64>,
     /// Measuring input, 1 or 2; absent: that of the workpiece probe, `_CHBIT[0]`.
     pub input: Option<u8>,
@@ -69,12 +84,28 @@ pub struct RepeatView {
     pub says: [&'static str; 5],
     /// `mm` or `inch`.
     pub unit: &'static str,
+    /// What is taken where nothing else is asked for.
+    pub usual: RepeatUsual,
     /// What the values come to, a line each.
     pub told: Vec<Message>,
     /// What should be known beside it.
     pub notes: Vec<Message>,
     /// What the values come to.
     pub found: RepeatFound,
+}
+
+/// What is taken where nothing else is asked for, in the unit of the view.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct RepeatUsual {
+    /// Where the motion begins.
+    pub from: f64,
+    /// Where it ends without a signal.
+    pub to: f64,
+    /// Feed a minute.
+    pub feed: f64,
+    /// Touches.
+    pub count: f64,
 }
 
 /// What repeated touches come to, in the unit of the view.
@@ -136,7 +167,7 @@ pub fn repeat(mut asked: RepeatRequest) -> Result<RepeatView, Error> {
 /// As those of [`repeat`].
 pub fn repeat_on(asked: &RepeatRequest, setup: Setup) -> Result<RepeatView, Error> {
     let [function, program] = repeat_texts(asked, &setup)?;
-    let (test, (count, _)) = (test(asked, &setup)?, whole(asked)?);
+    let ([once, test], (count, _)) = (tests(asked, &setup)?, whole(asked)?);
     let machine = asked.machine.unwrap_or(false);
     let factor = setup.control.active_units.factor();
     let mut notes = beside(&test, &setup, factor);
@@ -145,7 +176,7 @@ pub fn repeat_on(asked: &RepeatRequest, setup: Setup) -> Result<RepeatView, Erro
         Some(text) => numbers(text)?,
         None => {
             held(&test, &setup)?;
-            lines.push(switched(&test, setup.clone(), factor));
+            lines.push(switched(&once, &test, setup.clone(), factor));
             if setup.probe.repeatability.0 == 0.0 {
                 notes.push(Message::new("repeat-no-scatter"));
             }
@@ -156,6 +187,9 @@ pub fn repeat_on(asked: &RepeatRequest, setup: Setup) -> Result<RepeatView, Erro
     let inch = factor != 1.0;
     let missing = || Error::new("repeat-few", Path::of(&["values"]));
     let repeat = Repeat::of(&values, inch).ok_or_else(missing)?;
+    if test.axis == 0 && !machine && setup.control.transverse != Transverse::Radius {
+        notes.push(Message::new("repeat-diameters"));
+    }
     notes.extend(doubts(&repeat, inch));
     lines.extend(told(&repeat, inch));
     Ok(RepeatView {
@@ -163,6 +197,7 @@ pub fn repeat_on(asked: &RepeatRequest, setup: Setup) -> Result<RepeatView, Erro
         program,
         says: SAYS,
         unit: if inch { "inch" } else { "mm" },
+        usual: usual(asked, &setup, test.axis),
         told: lines,
         notes,
         found: found(values, &repeat),
@@ -177,27 +212,27 @@ pub fn repeat_texts(asked: &RepeatRequest, setup: &Setup) -> Result<[String; 2],
     if setup.control.dialect != Dialect::Sinumerik {
         return Err(Error::new("repeat-control", Path::of(&["setup", "control"])));
     }
-    let (test, (count, first)) = (test(asked, setup)?, whole(asked)?);
+    let ([once, test], (count, first)) = (tests(asked, setup)?, whole(asked)?);
     let said = |key: &str| asked.words.as_ref().and_then(|words| words.get(key)).cloned();
     let words = |key: &str| said(key).unwrap_or_else(|| key.to_owned());
     let keep = first.map_or(Keep::Array, Keep::Parameters);
     let machine = asked.machine.unwrap_or(false);
-    Ok([test.function(&words), test.repeat(count, keep, machine, &words)])
+    Ok([once.function(&words), test.repeat(count, keep, machine, &words)])
 }
 
-/// What is to be touched.
-fn test(asked: &RepeatRequest, setup: &Setup) -> Result<ProbeTest, Error> {
+/// What is to be touched once, and what repeatedly.
+fn tests(asked: &RepeatRequest, setup: &Setup) -> Result<[ProbeTest; 2], Error> {
     let control = &setup.control;
     let wrong = |name: &'static str| refused(name, [0.0, LARGEST]);
     let letter = asked.axis.as_deref().unwrap_or("X").trim().to_ascii_uppercase();
     let axis = AXES.iter().take(3).position(|axis| *axis == letter).ok_or_else(|| wrong("axis"))?;
+    let usual = usual(asked, setup, axis);
     let within = |name: &'static str, value: f64| {
         if value.is_finite() && value.abs() <= LARGEST { Ok(value) } else { Err(wrong(name)) }
     };
-    let ends = [within("from", asked.from.unwrap_or(0.0))?, within("to", asked.to.unwrap_or(50.0))?];
-    let inch = control.active_units == Units::Inch;
-    let delivered = 150.0 / control.active_units.factor();
-    let feed = within("feed", asked.feed.unwrap_or(delivered))?;
+    let from = within("from", asked.from.unwrap_or(usual.from))?;
+    let ends = [from, within("to", asked.to.unwrap_or(usual.to))?];
+    let feed = within("feed", asked.feed.unwrap_or(usual.feed))?;
     let own = if control.bit("_CHBIT[0]") { 2 } else { 1 };
     let input = asked.input.unwrap_or(own);
     for (name, fits) in [("to", ends[0] != ends[1]), ("feed", feed > 0.0), ("input", (1..=2).contains(&input))] {
@@ -205,27 +240,66 @@ fn test(asked: &RepeatRequest, setup: &Setup) -> Result<ProbeTest, Error> {
             return Err(wrong(name));
         }
     }
-    let place = if control.tool == 0 { (1, 1) } else { (control.tool, control.edge.max(1)) };
-    Ok(ProbeTest {
+    let test = ProbeTest {
         axis,
         ends,
         feed,
         input,
-        place,
+        place: place(control),
         changes: asked.changes.unwrap_or(false),
         plane: control.plane,
-        inch,
-    })
+        inch: control.active_units == Units::Inch,
+    };
+    let further = from + direction(control, axis) * of_unit(control).further;
+    Ok([ProbeTest { ends: [from, asked.to.unwrap_or(further)], ..test.clone() }, test])
 }
 
-/// The programs call a tool, without which nothing touches.
+/// What is taken where nothing else is asked for.
+fn usual(asked: &RepeatRequest, setup: &Setup, axis: usize) -> RepeatUsual {
+    let Usual { way, feed, .. } = of_unit(&setup.control);
+    let to = asked.from.unwrap_or(0.0) + direction(&setup.control, axis) * way;
+    RepeatUsual { from: 0.0, to, feed: *feed, count: TOUCHES }
+}
+
+fn of_unit(control: &Control) -> &'static Usual {
+    let [metric, inch] = &USUAL;
+    if control.active_units == Units::Inch { inch } else { metric }
+}
+
+/// T and D number of the probe: what is in the spindle, or as in the programs of the manual.
+fn place(control: &Control) -> (i64, i64) {
+    if control.tool == 0 { (1, 1) } else { (control.tool, control.edge.max(1)) }
+}
+
+/// Direction from the ball of the probe to its body.
+fn stands(control: &Control) -> Dir<Mcs> {
+    let (tool, edge) = place(control);
+    control.edge_of(tool, edge).and_then(Edge::stands).unwrap_or_else(|| upright(control.plane))
+}
+
+/// Plus or minus: along the probe its ball goes ahead, across it plus, as in the programs of the manual.
+fn direction(control: &Control, axis: usize) -> f64 {
+    if stands(control)[axis] > 0.5 { -1.0 } else { 1.0 }
+}
+
+/// Nothing touches where the programs call no tool, or another one than a probe, or where its ball does not go ahead.
 fn held(test: &ProbeTest, setup: &Setup) -> Result<(), Error> {
     let (tool, edge) = test.place;
-    if setup.control.tools.get(&tool).is_some_and(|one| one.edges.contains_key(&edge)) {
+    let error = |key: &'static str| {
+        let error = Error::new(key, Path::of(&["setup", "tools"]));
+        error.number("tool", tool as f64).number("edge", edge as f64)
+    };
+    let data = setup.control.edge_of(tool, edge).ok_or_else(|| error("repeat-no-tool"))?;
+    if ![PROBE, LATHE_PROBE].contains(&data.kind) {
+        return Err(error("repeat-no-probe").number("kind", data.kind as f64));
+    }
+    let [from, to] = test.ends;
+    if (to - from) * stands(&setup.control)[test.axis] <= 0.0 {
         return Ok(());
     }
-    let missing = Error::new("repeat-no-tool", Path::of(&["setup", "tools"]));
-    Err(missing.number("tool", tool as f64).number("edge", edge as f64))
+    let other = ((2.0 * from - to) * 1e5).round() / 1e5;
+    let behind = Error::new("repeat-behind", Path::of(&["to"]));
+    Err(behind.text("axis", AXES[test.axis]).number("to", other))
 }
 
 /// How many touches, and the first R parameter that keeps their values.
@@ -234,7 +308,7 @@ fn whole(asked: &RepeatRequest) -> Result<(usize, Option<usize>), Error> {
         let fits = value.fract() == 0.0 && (ends[0]..=ends[1]).contains(&value);
         if fits { Ok(value as usize) } else { Err(refused(name, ends)) }
     };
-    let count = within("count", asked.count.unwrap_or(10.0), [2.0, MOST[0] as f64])?;
+    let count = within("count", asked.count.unwrap_or(TOUCHES), [2.0, MOST[0] as f64])?;
     let first = asked.parameters.map(|first| within("parameters", first, [0.0, 10_000.0]));
     Ok((count, first.transpose()?))
 }
@@ -269,9 +343,10 @@ fn touched(text: &str, test: &ProbeTest, count: usize, setup: Setup, factor: f64
     Ok((0..count).map(|touch| outcome.control.number(&name(touch))).collect())
 }
 
-/// What the function test comes to there: R1 holds where the probe switched (B:12825-12856).
-fn switched(test: &ProbeTest, setup: Setup, factor: f64) -> Message {
-    let outcome = at_a_face(&test.function(&|key| key.to_owned()), test, setup, factor);
+/// What the function test comes to at the face of the repeated touches: R1 holds where the probe switched
+/// (B:12825-12856).
+fn switched(once: &ProbeTest, test: &ProbeTest, setup: Setup, factor: f64) -> Message {
+    let outcome = at_a_face(&once.function(&|key| key.to_owned()), test, setup, factor);
     if outcome.control.data.get("R1").is_none() {
         return Message::new("repeat-not-switched");
     }
@@ -280,23 +355,31 @@ fn switched(test: &ProbeTest, setup: Setup, factor: f64) -> Message {
     Message::new("repeat-switched").text("axis", AXES[test.axis]).number("value", value).text("unit", unit)
 }
 
-/// What a program does on a machine whose probe meets a face halfway.
+/// What a program does on a machine whose probe meets a face halfway. The axes of the WCS are those of the machine.
 fn at_a_face(text: &str, test: &ProbeTest, mut setup: Setup, factor: f64) -> Outcome {
     let [from, to] = test.ends;
     let control = &mut setup.control;
+    (control.tool, control.edge) = test.place;
     control.frames.clear();
+    control.stored = BasicFrames::default();
     control.activate(0);
+    drop(control.take_frames());
+    let shown = if test.axis == 0 { control.transverse.shown() } else { 1.0 };
     let at = |along: f64| {
-        let mut point = [0.0; 3];
-        point[test.axis] = along * factor;
-        control.to_machine(Wcs(point))
+        let mut point = Mcs::default();
+        point[test.axis] = along / shown * factor;
+        point
     };
-    let (start, middle) = (at(from), at((from + to) / 2.0));
-    let mut centre = middle.0;
+    let body = stands(control);
+    let mut centre = at((from + to) / 2.0);
     centre[test.axis] += (to - from).signum() * (setup.probe.radius + BLOCK / 2.0);
+    for axis in (0..3).filter(|axis| *axis != test.axis) {
+        centre[axis] += body[axis] * (setup.probe.radius - BLOCK / 2.0); // only the ball is as low as the block
+    }
     centre[2] += BLOCK / 2.0; // a block stands by the middle of its upper face
-    setup.workpiece.solids = vec![Solid::new(Shape::Block { size: [BLOCK; 3] }, Mcs(centre))];
-    setup.position = start;
+    setup.workpiece.solids = vec![Solid::new(Shape::Block { size: [BLOCK; 3] }, centre)];
+    setup.tool_probes.clear();
+    setup.position = at(from);
     run(&syntax::read(Dialect::Sinumerik, text.as_bytes()), &setup, Limits::default())
 }
 
@@ -379,8 +462,11 @@ fn found(values: Vec<f64>, repeat: &Repeat) -> RepeatFound {
 mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
-    use crate::control::Plane;
+    use crate::control::{Frame, Plane};
+    use crate::geometry::Rpy;
+    use crate::message::Arg;
     use crate::program::findings;
+    use crate::workpiece::ProbeBody;
 
     fn asked() -> RepeatRequest {
         let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
@@ -404,26 +490,133 @@ mod tests {
         assert_eq!(view.told[0].key, "repeat-switched"); // the function test meets the same face
     }
 
+    fn figure(message: &Message, name: &str) -> Option<f64> {
+        message.args.iter().find_map(|(known, arg)| match arg {
+            Arg::Number(number) if *known == name => Some(*number),
+            _ => None,
+        })
+    }
+
+    /// Machines: of each plane, a mill and a lathe, in both units, with each way to give X.
+    fn machines() -> impl Iterator<Item = Setup> {
+        Plane::ALL.into_iter().flat_map(|plane| {
+            let units = [Units::Metric, Units::Inch].into_iter();
+            units.flat_map(move |units| {
+                let mill = Setup::calibrated_in(Dialect::Sinumerik, plane, units);
+                let lathe = Setup::turning_in(plane, units);
+                [mill, lathe].into_iter().flat_map(|setup| {
+                    let all = [Transverse::Radius, Transverse::Diameter, Transverse::AbsoluteDiameter];
+                    all.map(|transverse| {
+                        let mut setup = setup.clone();
+                        setup.control.transverse = transverse;
+                        setup
+                    })
+                })
+            })
+        })
+    }
+
+    // oracle: hand (the face is halfway; along the probe it touches with its ball ahead)
     #[test]
-    fn each_axis_and_direction_meets_its_face() {
-        // oracle: hand (halfway between the ends)
-        for axis in ["X", "Y"] {
-            for (from, to) in [(0.0, 50.0), (30.0, -10.0)] {
-                let request = RepeatRequest { axis: Some(axis.into()), from: Some(from), to: Some(to), ..asked() };
-                let view = repeat(request).unwrap();
-                assert!((view.found.mean - (from + to) / 2.0).abs() < 0.002, "{axis} {from}: {}", view.found.mean);
+    fn wherever_the_machine_stands_the_face_is_halfway() {
+        for mut setup in machines() {
+            let control = &mut setup.control;
+            let turned = Frame { coarse: [7.0, -8.0, 9.0], rotation: Rpy([0.0, 0.0, 30.0]), ..Frame::default() };
+            control.stored.channel.insert(0, turned);
+            control.frames.insert(1, turned);
+            control.activate(1);
+            setup.probe.body = Some(ProbeBody { radius: 20.0, distance: 15.0 });
+            let (units, plane, transverse) = (control.active_units, control.plane, control.transverse);
+            for axis in ["X", "Y", "Z"] {
+                for (from, to) in [(None, None), (Some(0.0), Some(4.0)), (Some(30.0), Some(-10.0)), (Some(-3.0), None)]
+                {
+                    let request = RepeatRequest { axis: Some(axis.into()), from, to, ..RepeatRequest::default() };
+                    let which = format!("{plane:?} {units:?} {transverse:?} {axis} {from:?} {to:?}");
+                    let view = match repeat_on(&request, setup.clone()) {
+                        Ok(view) => view,
+                        Err(error) => {
+                            assert!(error.message.key == "repeat-behind" && to.is_some(), "{which}: {error:?}");
+                            continue;
+                        }
+                    };
+                    let middle = (from.unwrap_or(0.0) + to.unwrap_or(view.usual.to)) / 2.0;
+                    assert!((view.found.mean - middle).abs() < 1e-6, "{which}: {}", view.found.mean);
+                    assert_eq!(view.told[0].key, "repeat-switched", "{which}");
+                    assert!(
+                        (figure(&view.told[0], "value").unwrap() - middle).abs() < 1e-4,
+                        "{which}: {:?}",
+                        view.told
+                    );
+                }
             }
         }
-        let down = RepeatRequest { axis: Some("Z".into()), from: Some(20.0), to: Some(0.0), ..asked() };
-        let view = repeat(down).unwrap();
-        assert!(view.found.range > 0.0 && view.found.range < 0.01, "{:?}", view.found);
+    }
+
+    // oracle: hand (a diameter scatters twice as far as its radius; values of the machine system are radii)
+    #[test]
+    fn values_of_diameters_scatter_twice_as_far() {
+        let of = |axis: &str, machine| {
+            let mut setup = Setup::turning(Plane::G18);
+            setup.probe.repeatability = (0.001, 7);
+            let (count, axis) = (Some(400.0), Some(axis.to_owned()));
+            let view = repeat_on(&RepeatRequest { axis, count, machine, ..RepeatRequest::default() }, setup).unwrap();
+            let told = view.notes.iter().any(|note| note.key == "repeat-diameters");
+            (told, (view.found.deviation * 1000.0).round())
+        };
+        assert_eq!(of("X", None), (true, 2.0));
+        assert_eq!(of("X", Some(true)), (false, 1.0));
+        assert_eq!(of("Z", None), (false, 1.0));
+    }
+
+    // oracle: manual B:12825-12856, B:15187-15217 (F150, X100 once, X50 repeatedly), hand (the ball goes ahead)
+    #[test]
+    fn what_is_not_asked_for_is_as_in_the_manual() {
+        let of = |setup: Setup, axis: &str| {
+            repeat_on(&RepeatRequest { axis: Some(axis.into()), ..RepeatRequest::default() }, setup).unwrap()
+        };
+        let view = of(Setup::calibrated(Dialect::Sinumerik, Plane::G17), "X");
+        assert!(view.function.contains("G0 X0 F150") && view.function.contains("G1 X100\n"), "{}", view.function);
+        assert!(view.program.contains("G0 X0 F150") && view.program.contains("G1 X50\n"), "{}", view.program);
+        assert_eq!((view.usual.from, view.usual.to, view.usual.feed, view.usual.count), (0.0, 50.0, 150.0, 10.0));
+        let view = of(Setup::calibrated_in(Dialect::Sinumerik, Plane::G17, Units::Inch), "Z");
+        assert!(view.function.contains("G0 Z0 F6") && view.function.contains("G1 Z-4\n"), "{}", view.function);
+        assert_eq!((view.usual.to, view.usual.feed, view.unit), (-2.0, 6.0, "inch"));
+        for (plane, along) in [(Plane::G17, "Z"), (Plane::G18, "Y"), (Plane::G19, "X")] {
+            for axis in ["X", "Y", "Z"] {
+                let to = of(Setup::calibrated(Dialect::Sinumerik, plane), axis).usual.to;
+                assert_eq!(to, if axis == along { -50.0 } else { 50.0 }, "{plane:?} {axis}");
+            }
+        }
+        // the probe of the turning machine points in minus direction of Z
+        let lathe = Setup::turning(Plane::G18);
+        assert_eq!(["X", "Z"].map(|axis| of(lathe.clone(), axis).usual.to), [50.0, -50.0]);
+    }
+
+    // oracle: hand
+    #[test]
+    fn why_nothing_touches_is_told_with_what_to_change() {
+        let setup = || Setup::calibrated(Dialect::Sinumerik, Plane::G17);
+        let along = |from, to| RepeatRequest { axis: Some("Z".into()), from, to, ..RepeatRequest::default() };
+        for (from, to, other) in [(None, Some(50.0), -50.0), (Some(10.0), Some(300.0), -280.0)] {
+            let error = repeat_on(&along(from, to), setup()).unwrap_err();
+            assert_eq!((error.message.key.as_ref(), figure(&error.message, "to")), ("repeat-behind", Some(other)));
+            assert!(repeat_on(&along(from, Some(other)), setup()).is_ok());
+        }
+        let mut mill = setup();
+        mill.control.edge_made(9, 1).kind = 120;
+        let error = repeat_on(&along(None, None), mill.clone()).unwrap_err();
+        assert_eq!((error.message.key.as_ref(), figure(&error.message, "kind")), ("repeat-no-probe", Some(120.0)));
+        // the programs are written, and values of a real machine are evaluated
+        assert!(repeat_texts(&along(None, Some(50.0)), &mill).is_ok());
+        let real = RepeatRequest { values: Some("1 2 3".into()), ..along(None, Some(50.0)) };
+        assert!(repeat_on(&real, mill).is_ok());
     }
 
     #[test]
     fn the_programs_are_right() {
         // oracle: manual B:12825-12856, B:15187-15217 (what they contain), self (no finding)
         let view = repeat(asked()).unwrap();
-        for part in ["MEAS=PW_IN G1 X50", "STOPRE", "$AC_MEA[PW_IN]", "R1=$AA_MW[X] R2=$AA_MM[X]", "T9 D1"] {
+        for part in ["MEAS=PW_IN G1 X100", "STOPRE", "$AC_MEA[PW_IN]", "R1=$AA_MW[X] R2=$AA_MM[X]", "T9 D1"] {
             assert!(view.function.contains(part), "{part}\n{}", view.function);
         }
         for part in ["DEF REAL PW_VAL[10]", "MEAS=1 G1 X50", "PW_VAL[PW_K]=$AA_MW[X]", "IF PW_K<10 GOTOB PW_NEXT"] {

@@ -3,11 +3,14 @@
 use super::{Error, cycle};
 use crate::dialect::Dialect;
 use crate::entry::{Cycle, Typed};
+use crate::manual::Cited;
 use crate::message::Message;
-use crate::program::user_programs::skeleton::{Branch, END, calls_again, changed, leaves, lines, unread, write};
+use crate::program::user_programs::skeleton::{Branch, END, calls_again, changed, is_taken, labels, leaves};
+use crate::program::user_programs::skeleton::{lines, unread, write};
 use crate::program::user_programs::{BEFORE, BEHIND, callers, label};
 use crate::refused::Path;
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeSet;
 
 /// Which cycles get lines of their own.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
@@ -47,7 +50,7 @@ pub struct UserProgramsView {
     /// What should be known beside them.
     pub notes: Vec<Message>,
     /// Places in the manual.
-    pub sources: [&'static str; 2],
+    pub sources: [Cited; 2],
 }
 
 /// A cycle that can be chosen.
@@ -65,13 +68,17 @@ pub struct UserLabel {
 /// The two programs with the chosen branches.
 ///
 /// # Errors
-/// A cycle that calls neither, a line that cannot stand there, or no name of a variable.
+/// A cycle that calls neither or is chosen twice, a line that cannot stand there, or no name of a variable.
 pub fn user_programs(asked: UserProgramsRequest) -> Result<UserProgramsView, Error> {
     let variable = asked.variable.as_deref().map(str::trim).filter(|name| !name.is_empty());
     if let Some(name) = variable.filter(|name| !is_variable(name)) {
         return Err(Error::new("user-program-variable", Path::of(&["variable"])).text("name", name));
     }
-    let branches = asked.branches.iter().map(branch).collect::<Result<Vec<_>, _>>()?;
+    let branches = asked.branches.iter().map(|one| branch(one, variable.is_some())).collect::<Result<Vec<_>, _>>()?;
+    let once = |(at, one): &(usize, &Branch)| branches.iter().take(*at).all(|other| other.cycle.name != one.cycle.name);
+    if let Some((_, twice)) = branches.iter().enumerate().find(|one| !once(one)) {
+        return Err(Error::new("user-program-twice", Path::of(&["branches"])).text("name", twice.cycle.name));
+    }
     let said = |key: &str, cycle: &Cycle| {
         let known = asked.words.as_ref().and_then(|words| words.get(key));
         known.map_or_else(|| cycle.name.to_owned(), |text| text.replace(CYCLE, cycle.name))
@@ -80,9 +87,9 @@ pub fn user_programs(asked: UserProgramsRequest) -> Result<UserProgramsView, Err
     if !branches.is_empty() {
         notes.push(Message::new(if variable.is_some() { "user-program-own" } else { "user-program-insert" }));
     }
-    let mut labels: Vec<String> = branches.iter().map(|branch| label(branch.cycle)).collect();
-    labels.extend(variable.map(|_| END.to_owned()));
-    for note in branches.iter().flat_map(|branch| doubts(branch, &labels)) {
+    let mut targets: Vec<String> = branches.iter().map(|branch| label(branch.cycle)).collect();
+    targets.extend(variable.map(|_| END.to_owned()));
+    for note in branches.iter().flat_map(|branch| doubts(branch, &targets)).chain(repeated(&branches)) {
         if !notes.contains(&note) {
             notes.push(note);
         }
@@ -94,7 +101,7 @@ pub fn user_programs(asked: UserProgramsRequest) -> Result<UserProgramsView, Err
         before: text(&BEFORE),
         behind: text(&BEHIND),
         notes,
-        sources: [BEFORE.source, BEHIND.source],
+        sources: [BEFORE.source, BEHIND.source].map(Cited),
     })
 }
 
@@ -109,10 +116,21 @@ fn doubts(branch: &Branch, labels: &[String]) -> Vec<Message> {
     unread.chain(changes).chain(left.map(|name| Message::new("user-program-jump").text("name", name))).collect()
 }
 
+/// Labels that the lines of more than one cycle have: in one file they would be there more than once.
+fn repeated(branches: &[Branch]) -> Vec<Message> {
+    let sides: [fn(&Branch) -> &Vec<String>; 2] = [|branch| &branch.before, |branch| &branch.behind];
+    let of_side = sides.iter().flat_map(|side| {
+        let mut seen = BTreeSet::new();
+        let all = branches.iter().flat_map(|branch| labels(side(branch)));
+        all.filter(|name| !seen.insert(name.clone())).collect::<Vec<_>>()
+    });
+    of_side.map(|name| Message::new("user-program-repeated").text("name", name)).collect()
+}
+
 /// Stands in the words of a comment for the name of the cycle.
 pub const CYCLE: &str = "CYCLE";
 
-fn branch(asked: &UserBranch) -> Result<Branch, Error> {
+fn branch(asked: &UserBranch, whole: bool) -> Result<Branch, Error> {
     let cycle = cycle(Dialect::Sinumerik, &asked.cycle)?;
     if !cycle.is_measuring_cycle() {
         return Err(Error::new("user-program-cycle", Path::of(&["branches"])).text("name", cycle.name));
@@ -120,8 +138,11 @@ fn branch(asked: &UserBranch) -> Result<Branch, Error> {
     let wrong = |key: &'static str| Error::new(key, Path::of(&["branches"]));
     let read = |text: &str| {
         let lines = lines(text).map_err(|line| wrong("user-program-line").text("line", line))?;
-        match calls_again(&lines) {
-            Some(name) => Err(wrong("user-program-again").text("name", name)),
+        if let Some(name) = calls_again(&lines) {
+            return Err(wrong("user-program-again").text("name", name));
+        }
+        match labels(&lines).into_iter().find(|name| is_taken(name, whole)) {
+            Some(name) => Err(wrong("user-program-label").text("name", name)),
             None => Ok(lines),
         }
     };
@@ -152,6 +173,8 @@ mod tests {
         assert_eq!(view.before, "_M977: ;CYCLE977\nM27\nM17\n");
         assert_eq!(view.behind, "_M977: ;CYCLE977\nM28\nM17\n");
         assert!(view.labels.iter().any(|one| one.label == "_M998"));
+        let told = serde_json::to_value(&view).unwrap();
+        assert!(told["sources"][0].as_str().unwrap().starts_with("Measuring Cycles 04/2006, "), "{told}");
         let nothing = user_programs(UserProgramsRequest::default()).unwrap();
         assert_eq!((nothing.before.as_str(), nothing.notes.len()), ("", 0));
         let whole = user_programs(asked("CYCLE977", "_SETVAL=1", Some("_OVI[2]"))).unwrap();
@@ -165,10 +188,16 @@ mod tests {
         // oracle: hand
         let refused = |request| user_programs(request).unwrap_err().message.key.to_string();
         assert_eq!(refused(asked("CYCLE977", "M17", None)), "user-program-line");
-        for again in ["CYCLE977", "CYCLE978", "CYCLE198"] {
+        for again in ["CYCLE977", "CYCLE978", "CYCLE198", "CALL \"CYCLE977\""] {
             assert_eq!(refused(asked("CYCLE977", again, None)), "user-program-again");
         }
         assert_eq!(refused(asked("CYCLE977", "DEF INT X", None)), "user-program-line");
+        assert_eq!(refused(asked("CYCLE977", "_M977: M27", None)), "user-program-label");
+        let mut twice = asked("CYCLE977", "M27", None);
+        twice.branches.push(UserBranch { cycle: "cycle977".into(), before: "M29".into(), behind: String::new() });
+        assert!(["user-program-twice", "document-cycle"].contains(&refused(twice.clone()).as_str()));
+        twice.branches[1].cycle = "CYCLE977".into();
+        assert_eq!(refused(twice), "user-program-twice");
         let told = |before: &str, variable| {
             let notes = user_programs(asked("CYCLE977", before, variable)).unwrap().notes.into_iter();
             notes.map(|note| note.key.to_string()).collect::<Vec<_>>()
@@ -177,6 +206,11 @@ mod tests {
         assert_eq!(told("GOTOF _MEND", Some("_OVI[2]")), ["user-program-own"]);
         assert_eq!(told(")(", None), ["user-program-insert", "user-program-unread"]);
         assert_eq!(told("_MVAR=2", None), ["user-program-insert", "user-program-changes"]);
+        let mut several = asked("CYCLE977", "AGAIN: M27|GOTOB AGAIN", None);
+        several.branches.push(UserBranch { cycle: "CYCLE978".into(), ..several.branches[0].clone() });
+        let notes = user_programs(several).unwrap().notes;
+        assert_eq!(notes.iter().filter(|note| note.key == "user-program-repeated").count(), 1);
+        assert_eq!(told("AGAIN: M27|GOTOB AGAIN", None), ["user-program-insert"]);
         assert_eq!(refused(asked("CYCLE116", "M27", None)), "user-program-cycle");
         assert_eq!(refused(asked("CYCLE5", "M27", None)), "document-cycle");
         assert_eq!(refused(asked("CYCLE977", "M27", Some("1 OR"))), "user-program-variable");

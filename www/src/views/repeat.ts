@@ -14,6 +14,7 @@ import type { Message, OwnMachine, RepeatRequest, RepeatView, Setup } from "../w
 import { passingDialog, showPassing } from "./passing";
 
 const NUMBERS = ["from", "to", "feed", "count", "parameters"] as const;
+const HINTED = ["from", "to", "feed", "count"] as const;
 const AXES = ["X", "Y", "Z"];
 const INPUTS = ["", "1", "2"]; // the first: as the machine has it
 const PAUSE = 200; // ms, while one types
@@ -70,8 +71,6 @@ export function openRepeat(core: ProgramCore, setup: Setup | OwnMachine | undefi
   const numbers = Object.fromEntries(
     NUMBERS.map(name => [name, el("input", { type: "text", id: `repeat-${name}`, inputmode: "decimal" })]),
   ) as Record<(typeof NUMBERS)[number], HTMLInputElement>;
-  const hints = { from: "0", to: "50", feed: "150", count: "10", parameters: "" };
-  for (const name of NUMBERS) numbers[name].placeholder = hints[name];
   const boxes = (["machine", "changes"] as const).map(name => {
     const field = el("input", { type: "checkbox", id: `repeat-${name}` });
     return { name, field, label: el("label", { class: "check", for: field.id }, field, t(`repeat-${name}`)) };
@@ -127,6 +126,12 @@ export function openRepeat(core: ProgramCore, setup: Setup | OwnMachine | undefi
   };
   const unread = (): (typeof NUMBERS)[number] | undefined =>
     NUMBERS.find(name => numbers[name].value.trim() && parseNumber(numbers[name].value) === null);
+  /** Shows what is taken where nothing is typed. */
+  const hint = ({ usual, unit }: RepeatView): void => {
+    const length = `\u{a0}${unit}`;
+    const units = { from: length, to: length, feed: `${length}/min`, count: "" };
+    for (const name of HINTED) numbers[name].placeholder = `${plain(usual[name])}${units[name]}`;
+  };
   const draw = (): void => {
     const wrong = unread();
     const request = asked();
@@ -135,6 +140,7 @@ export function openRepeat(core: ProgramCore, setup: Setup | OwnMachine | undefi
     const words = first && !("why" in first) ? Object.fromEntries(first.says.map(key => [key, t(key)])) : null;
     const answer = words ? core.repeat({ ...request, words }) : first;
     view = answer && !("why" in answer) ? answer : null;
+    if (view) hint(view);
     const why = answer && "why" in answer ? answer.why : "";
     problem.textContent = wrong ? t("repeat-not-a-number", { value: numbers[wrong].value.trim() }) : sayProblem(why);
     mark(wrong ?? refusal(why)?.args.path);

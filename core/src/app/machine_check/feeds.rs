@@ -12,7 +12,7 @@ use serde::Serialize;
 
 /// Feeds at which the probe may touch: the datum, the switch without which it does not, as delivered, and the place.
 /// With collision monitoring a touch on the way stops the axes too (B:13751-13763).
-const FEEDS: [(&str, &str, f64, &str); 7] = [
+pub const FEEDS: [(&str, &str, f64, &str); 7] = [
     ("_SPEED[1]", "_CHBIT[2]", 1.0, "B:13751-13763;B:1143-1161"),
     ("_SPEED[2]", "_CHBIT[2]", 1.0, "B:13751-13763;B:1143-1161"),
     ("_SPEED[3]", "_CHBIT[17]", 0.0, "B:13772;B:14013;B:1143-1161"),
@@ -21,6 +21,11 @@ const FEEDS: [(&str, &str, f64, &str); 7] = [
     ("E_MESS_FZ", "", 1.0, "B:14180;B:1143-1161"),
     ("E_MESS_MT_FM", "", 1.0, "B:14198;B:1143-1161"),
 ];
+
+/// Whether it is a feed of measuring in JOG, which is metric in every system of units (B:14250).
+pub fn of_jog(name: &str) -> bool {
+    name.starts_with("E_MESS")
+}
 
 /// What the export says of the slowest axis.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -96,13 +101,12 @@ pub fn faults(given: &Exported, files: &Files, without: &[Use], deflection: f64)
     let mut found: Vec<MachineFault> = Vec::new();
     for channel in given.channels() {
         for (name, switch, as_delivered, source) in FEEDS {
-            let of_jog = name.starts_with("E_MESS");
+            let of_jog = of_jog(name);
             let watched = switch.is_empty() || given.number(switch, channel).unwrap_or(as_delivered) == 1.0;
             let (Some(datum), Some(feed)) = (given.get(name, channel), given.number(name, channel)) else { continue };
             if !watched || of_jog && without.contains(&Use::Jog) {
                 continue;
             }
-            // the data of JOG are metric in every system (B:14250)
             let inch = !of_jog && given.number(BASIC_SYSTEM, channel) == Some(0.0);
             let (unit, step) = if inch { (INCH, 10.0) } else { (1.0, 1.0) };
             let path = braking.parts(feed * unit).sum();

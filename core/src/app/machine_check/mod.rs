@@ -12,6 +12,7 @@ mod words;
 
 pub use fault::{MachineFault, MachineLimit, MachinePlace};
 pub use feeds::MachineAxis;
+pub(super) use feeds::{FEEDS, of_jog};
 pub(super) use user::TO_ENTER;
 
 use super::Error;

@@ -5,8 +5,10 @@
 use super::{ALL, BEFORE, UserProgram, callers, label};
 use crate::dialect::Dialect;
 use crate::entry::{Cycle, names};
+use crate::syntax::language::BY_TEXT;
+use crate::syntax::programs::bare;
 use crate::syntax::targets::Targets;
-use crate::syntax::{Word, WordKind, read};
+use crate::syntax::{Block, Expr, ExprId, Program, Word, WordKind, read};
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
@@ -84,8 +86,38 @@ fn stands(line: &str) -> bool {
 pub fn calls_again(lines: &[String]) -> Option<&'static str> {
     let text = lines.join("\n");
     let program = read(Dialect::Sinumerik, text.as_bytes());
+    let called: BTreeSet<String> = program.blocks.iter().flat_map(|block| named(&program, block)).collect();
     let mut names = callers().map(|cycle| cycle.name).chain(ALL.map(|user| user.name));
-    names.find(|name| program.words.iter().any(|word| program.is_call(word, &[name])))
+    names.find(|name| called.contains(*name))
+}
+
+/// What a block calls: by the name, or by a text, which may have folders (`CALL "NAME"`, `EXTCALL("NAME")`).
+fn named<'a>(program: &'a Program, block: &Block) -> impl Iterator<Item = String> + 'a {
+    let words = program.words_of(block);
+    let by_text = |word: &Word| program.is_call(word, &BY_TEXT);
+    let behind = words.iter().any(by_text);
+    let text = move |id: &ExprId| match program.expr(*id) {
+        Some(Expr::Text(place)) => Some(bare(&program.name(*place)).to_owned()),
+        _ => None,
+    };
+    words.iter().flat_map(move |word| match &word.kind {
+        WordKind::Call { args, .. } if by_text(word) => args.iter().filter_map(text).collect(),
+        WordKind::Call { name, .. } => vec![bare(&program.name(*name)).to_owned()], // `PCALL` keeps its ending
+        WordKind::Constant(id) if behind => text(id).into_iter().collect(),
+        _ => Vec::new(),
+    })
+}
+
+/// The labels of lines.
+pub fn labels(lines: &[String]) -> BTreeSet<String> {
+    let text = lines.join("\n");
+    let program = read(Dialect::Sinumerik, text.as_bytes());
+    program.words.iter().filter_map(Word::label).map(|place| program.name(place)).collect()
+}
+
+/// Whether the file has this label: it is that of a cycle, or in a whole file the one behind the branches.
+pub fn is_taken(name: &str, whole: bool) -> bool {
+    whole && name == END || callers().any(|cycle| label(cycle) == name)
 }
 
 /// The lines in which something cannot be read.
@@ -203,6 +235,35 @@ mod tests {
         assert_eq!(calls_again(&lines("M27|CYCLE198").unwrap()), Some("CYCLE198"));
         assert_eq!(calls_again(&lines("M27|CYCLE199()").unwrap()), Some("CYCLE199"));
         assert_eq!(calls_again(&lines("M27|CYCLE116|MY_COVER(1)|L10").unwrap()), None);
+        for call in [
+            "CALL \"CYCLE977\"",
+            "CALL \"/_N_CST_DIR/_N_CYCLE977_SPF\"",
+            "call \"cycle977\"",
+            "EXTCALL(\"CYCLE977.SPF\")",
+            "EXTCALL \"CYCLE977\"",
+            "MCALL CYCLE977",
+            "PCALL /_N_CST_DIR/_N_CYCLE977_SPF",
+            "IF R1==1 CYCLE977",
+        ] {
+            assert_eq!(calls_again(&lines(call).unwrap()), Some("CYCLE977"), "{call}");
+        }
+        for other in ["CALL \"COVER\"", "MSG(\"CYCLE977\")", "CALL PROGRAM_OF_CYCLE977", "R1=2 ;CYCLE977"] {
+            assert_eq!(calls_again(&lines(other).unwrap()), None, "{other}");
+        }
+    }
+
+    #[test]
+    fn labels_of_the_file_are_taken() {
+        // oracle: manual B:2482-2508 (a label for each cycle), hand (what is written has each label once)
+        let found = |text: &str| labels(&lines(text).unwrap()).into_iter().find(|name| is_taken(name, true));
+        for cycle in callers() {
+            let label = label(cycle);
+            assert_eq!(found(&format!("M27|{label}: M28")), Some(label.clone()));
+            assert_eq!(found(&format!("{}: M28", label.to_ascii_lowercase())), Some(label));
+        }
+        assert_eq!(found("N10 _MEND: M28"), Some(END.to_owned()));
+        assert!(!is_taken(END, false));
+        assert_eq!(found("AGAIN: M28|GOTOF _M977"), None);
     }
 
     #[test]
