@@ -70,6 +70,9 @@ pub fn findings(program: &Program, programs: &Programs, older: &Older, found: &m
     for place in &older.unread {
         found.push(own::OLDER_UNREAD.finding().text("text", program.written(*place)).on(*place));
     }
+    for place in &older.ways {
+        found.push(own::OLDER_WAY.finding().text("text", program.written(*place)).on(*place));
+    }
     if let Some(place) = older.unclear {
         found.push(own::OLDER_UNCLEAR.finding().text("text", program.written(place)).on(place));
     }

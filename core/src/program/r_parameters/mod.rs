@@ -9,6 +9,7 @@ mod loop_tests;
 #[cfg(test)]
 mod tests;
 mod walk;
+mod ways;
 
 pub use edits::edits;
 pub use findings::{findings, is_of_call, reasons};
@@ -36,6 +37,8 @@ pub struct Older {
     pub results: Vec<(u16, Span)>,
     /// Where the program gives an R parameter a value that cannot be followed.
     pub unclear: Option<Span>,
+    /// What leads to a call, or away from it, on a way that is not followed.
+    pub ways: Vec<Span>,
     /// Words that could not be read: they may assign R parameters of a call, or read them.
     pub unread: Vec<Span>,
     /// Calls with the number of a cycle that no 840C had, to which a variant comes: name in the call, and the cycle.
@@ -115,7 +118,9 @@ pub fn find(program: &Program, programs: &Programs, answers: &Answers) -> Older 
         }
     }
     older.answers.clone_from(answers);
-    older.clashes = clash::clashes(program, programs, &older);
+    let (clashes, lost) = clash::clashes(program, programs, &older);
+    older.clashes = clashes;
+    older.ways.extend(lost);
     older
 }
 
@@ -177,7 +182,7 @@ fn meant(program: &Program, older: &Older, call: &Call, variants: &[Called]) -> 
 impl Older {
     /// Whether every assignment is known to be one parameter, or none, and every call would get its own values.
     pub fn is_clear(&self) -> bool {
-        let followed = self.unclear.is_none() && self.unread.is_empty();
+        let followed = self.unclear.is_none() && self.ways.is_empty() && self.unread.is_empty();
         followed && self.clashes.is_empty() && self.assigned.iter().all(|one| one.open.is_empty())
     }
 }
