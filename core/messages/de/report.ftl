@@ -249,6 +249,7 @@ terminal-value-r = R
 terminal-repeat-setup-text = Setup-Datei, siehe docs/setup.schema.json; Standard: eine Maschine, deren Messtaster keine Fehler hat
 terminal-repeat-values-text = Datei mit Werten einer realen Maschine, getrennt durch Leerzeichen oder Zeilen; Standard: das Programm ausführen
 terminal-older-file-text = Messprogramm der 840C
+terminal-older-into-text = Ordner, in den das Programm und jede andere geänderte Datei geschrieben werden
 terminal-answers-text = Antwort, wo das Handbuch einen R-Parameter offenlässt, R19=_SZA; mehrfach möglich
 terminal-value-answer = ANTWORT
 terminal-explain-text = Nicht umwandeln: jeden Aufruf mit seinen R-Parametern und deren Bedeutung auflisten
@@ -263,6 +264,9 @@ terminal-convert-done = umgewandelte Aufrufe: { $count }
 older-none = Kein Messaufruf einer 840C gefunden: L9xx eines Messzyklus, mit der Variante in R23.
 older-not-used = in dieser Variante nicht verwendet
 older-or = oder
+older-into = { $path } ändert sich auch. Mit --into einen Ordner nennen, in den jede geänderte Datei geschrieben wird.
+older-into-same = --into nennt den Ordner des Programms. Einen anderen nennen: Die umgewandelte Datei soll ihre Vorlage nicht ersetzen.
+older-written = geschrieben: { $path }
 older-instead = dafür zählt { $other }
 older-left-open = bleibt offen; bei Auslieferung { $value }
 older-answer-unknown = { $name } ist in den Tabellen des Handbuchs zur 840C nirgends { $value }.

@@ -249,6 +249,7 @@ terminal-value-r = R
 terminal-repeat-setup-text = Setup file, see docs/setup.schema.json; default: a machine whose probe has no errors
 terminal-repeat-values-text = File with values of a real machine, separated by blanks or lines; default: run the program
 terminal-older-file-text = Measuring program of the 840C
+terminal-older-into-text = Folder into which the program and every other changed file are written
 terminal-answers-text = Answer where the manual leaves an R parameter open, R19=_SZA; may be repeated
 terminal-value-answer = ANSWER
 terminal-explain-text = Do not convert: list each call with its R parameters and what each means
@@ -263,6 +264,9 @@ terminal-convert-done = calls converted: { $count }
 older-none = No measuring call of an 840C found: L9xx of a measuring cycle, with the variant in R23.
 older-not-used = not used by this variant
 older-or = or
+older-into = { $path } changes too. Name a folder with --into, so that every changed file is written there.
+older-into-same = --into names the folder of the program. Name another one: the converted file must not replace what it was made from.
+older-written = written: { $path }
 older-instead = { $other } counts instead
 older-left-open = left open; on delivery { $value }
 older-answer-unknown = { $name } is never { $value } in the manual’s tables of the 840C.

@@ -249,6 +249,7 @@ terminal-value-r = R
 terminal-repeat-setup-text = 设置文件，见 docs/setup.schema.json；默认：测头无误差的机床
 terminal-repeat-values-text = 实际机床测量值的文件，用空格或换行分隔；默认运行程序
 terminal-older-file-text = 840C 的测量程序
+terminal-older-into-text = 写入程序和其他改变的文件的文件夹
 terminal-answers-text = 手册未说明某个 R 参数时的回答，R19=_SZA；可重复给出
 terminal-value-answer = 回答
 terminal-explain-text = 不转换：列出每个调用的 R 参数及其含义
@@ -263,6 +264,9 @@ terminal-convert-done = 已转换的调用：{ $count }
 older-none = 没有找到 840C 的测量调用：测量循环的 L9xx，测量方式在 R23 中。
 older-not-used = 此测量方式不使用
 older-or = 或
+older-into = { $path } 也会改变。请用 --into 指定一个文件夹，把所有改变的文件写入其中。
+older-into-same = --into 指定的是程序所在的文件夹。请指定另一个文件夹：转换后的文件不应覆盖原文件。
+older-written = 已写入：{ $path }
 older-instead = 由 { $other } 给出
 older-left-open = 未赋值；默认值为 { $value }
 older-answer-unknown = 在手册的 840C 表格中，{ $name } 从来不是 { $value }。

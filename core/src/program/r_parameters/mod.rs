@@ -12,15 +12,15 @@ mod walk;
 mod ways;
 
 pub use edits::edits;
-pub use findings::{findings, is_of_call, reasons};
+pub use findings::{findings, is_of_call, left_out, reasons};
 
 use crate::catalogue::r_parameters::{Called, SETPOINTS, VARIANT};
 use crate::diagnostic::Span;
 use crate::entry::Cycle;
 use crate::name::Name;
-use crate::syntax::fold::{NOTHING, number};
+use crate::syntax::fold::{NOTHING, names_in, number};
 use crate::syntax::programs::Programs;
-use crate::syntax::{ExprId, Program, WordKind};
+use crate::syntax::{ExprId, Program, Word, WordKind};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// What somebody answered: which name an R parameter is, where the manual leaves it open.
@@ -73,6 +73,8 @@ pub struct Call {
     pub given: BTreeMap<u16, Vec<usize>>,
     /// The names that each of these R parameters is here; several: the manual does not say which.
     pub names: BTreeMap<u16, BTreeSet<Name>>,
+    /// R parameters that do not count here, because another one is the same parameter: that one.
+    pub instead: BTreeMap<u16, u16>,
     /// What it reads of what R parameters can be.
     reads: BTreeSet<Name>,
 }
@@ -110,6 +112,7 @@ pub fn find(program: &Program, programs: &Programs, answers: &Answers) -> Older 
             let Some(meant) = meant.get(number) else { continue };
             let (names, open) = meant.with(*number, answers);
             older.answered.extend((meant.open && !open).then_some(*number));
+            call.instead.extend(meant.rival.filter(|_| names.is_empty()).map(|rival| (*number, rival)));
             for at in places {
                 let Some(assigned) = older.assigned.get_mut(*at) else { continue };
                 if open { &mut assigned.open } else { &mut assigned.names }.extend(&names);
@@ -165,11 +168,11 @@ fn meant(program: &Program, older: &Older, call: &Call, variants: &[Called]) -> 
         }
         meant.open |= meant.names.len() > 1;
     }
-    let texts = |number: &u16| of(number).map(|one| program.written(program.place(one.value))).collect::<BTreeSet<_>>();
     let [first, second] = SETPOINTS;
     if [first, second].iter().all(|number| all.get(number).is_some_and(|one| !one.names.is_empty())) {
-        if texts(&first) == texts(&second) && texts(&first).len() == 1 {
-            all.remove(&second);
+        if is_same(program, &of(&first).collect::<Vec<_>>(), &of(&second).collect::<Vec<_>>()) {
+            let without = Meant { rival: Some(first), ..Meant::default() };
+            all.insert(second, without);
         } else {
             for (number, rival) in [(first, second), (second, first)] {
                 all.entry(number).and_modify(|one| (one.open, one.rival) = (true, Some(rival)));
@@ -177,6 +180,38 @@ fn meant(program: &Program, older: &Older, call: &Call, variants: &[Called]) -> 
         }
     }
     all
+}
+
+/// Whether two R parameters have one value: the same number, whichever assignments come, or what the same variables
+/// hold at the same time.
+fn is_same(program: &Program, first: &[&Assigned], second: &[&Assigned]) -> bool {
+    let value = |one: &&Assigned| number(program, one.value, NOTHING);
+    let known: Option<Vec<f64>> = first.iter().chain(second).map(value).collect();
+    match (known, first, second) {
+        (Some(values), ..) => values.windows(2).all(|pair| pair[0] == pair[1]),
+        (None, [first], [second]) => {
+            let text = |one: &Assigned| program.written(program.place(one.value));
+            let [before, behind] =
+                if first.word.start < second.word.start { [first, second] } else { [second, first] };
+            text(first) == text(second) && holds(program, before, behind)
+        }
+        _ => false,
+    }
+}
+
+/// Whether what an assignment reads is the same at a later one of its block: nothing between them writes it.
+fn holds(program: &Program, before: &Assigned, behind: &Assigned) -> bool {
+    let mut read = BTreeSet::new();
+    names_in(program, before.value, &mut read);
+    let known = read.iter().all(|name| name != "R" && !name.starts_with('$'));
+    let from = program.words.partition_point(|word| word.span.start < before.word.start);
+    let between = program.words.iter().skip(from).take_while(|word| word.span.start < behind.word.start);
+    let keeps = |word: &Word| match &word.kind {
+        WordKind::Assign { name, index, .. } => index.is_empty() && !read.contains(&program.name(*name)),
+        WordKind::Address { .. } => true,
+        _ => false,
+    };
+    known && program.line_of(before.word.start) == program.line_of(behind.word.start) && between.into_iter().all(keeps)
 }
 
 impl Older {

@@ -121,9 +121,9 @@ impl Walk<'_> {
         older.unread = self.unread.into_values().collect();
         for met in self.met.into_values() {
             let given = met.given.iter().map(|(number, places)| (*number, places.iter().filter_map(at).collect()));
-            let (names, reads) = (BTreeMap::new(), BTreeSet::new());
+            let (names, instead, reads) = (BTreeMap::new(), BTreeMap::new(), BTreeSet::new());
             let given = given.collect();
-            older.calls.push(Call { cycle: met.cycle, word: met.word, name: met.name, given, names, reads });
+            older.calls.push(Call { cycle: met.cycle, word: met.word, name: met.name, given, names, instead, reads });
         }
         older.assigned = assigned;
         for (index, call) in older.calls.iter().enumerate() {
