@@ -17,33 +17,9 @@ use std::cell::Cell;
 
 /// Lines of a program that are followed. A jump back counts R1 first, so that it comes to an end.
 const FOLLOWED: [&str; 27] = [
-    "R32=80",
-    "R32=81",
-    "R32=82",
-    "R32=R32+1",
-    "R10=5",
-    "R10=R32",
-    "R23=101",
-    "R7=R32",
-    "R32=R7",
-    "/R32=83",
-    "/GOTOF A2",
-    "L977",
-    "L977",
-    "L977 P2",
-    "N20 L977",
-    "L100",
-    "L300",
-    "G0 X1",
-    "X=2 Y=R32",
-    "MSG(\"S\"<<R32)",
-    "A1: R32=85",
-    "A2:",
-    "A2: L977",
-    "GOTOF A2",
-    "IF R1==0 GOTOF A2",
-    "R1=R1+1\nIF R1<4 GOTOB A1",
-    "M17",
+    "R32=80", "R32=81", "R32=82", "R32=R32+1", "R10=5", "R10=R32", "R23=101", "R7=R32", "R32=R7", "/R32=83",
+    "/GOTOF A2", "L977", "L977", "L977 P2", "N20 L977", "L100", "L300", "G0 X1", "X=2 Y=R32", "MSG(\"S\"<<R32)",
+    "A1: R32=85", "A2:", "A2: L977", "GOTOF A2", "IF R1==0 GOTOF A2", "R1=R1+1\nIF R1<4 GOTOB A1", "M17",
 ];
 
 /// Lines that lead somewhere in other ways.
@@ -161,7 +137,7 @@ fn the_same_values_arrive_after_the_conversion() {
     if let Err(failed) = outcome {
         panic!("{failed}");
     }
-    assert!(done.get() > cases / 20 && refused.get() > cases / 20, "{} {}", done.get(), refused.get());
+    assert!(done.get() > cases / 10 && refused.get() > cases / 20, "{} {}", done.get(), refused.get());
 }
 
 /// What a tester found: each was converted, and measured with another value.

@@ -10,7 +10,9 @@ use crate::dialect::Dialect;
 use crate::entry::{Typed, names};
 use crate::message::Message;
 use crate::name::Name;
-use crate::program::r_parameters::{Answers, Assigned, Call, Older, edits as of_program, find, findings, left_out, reasons};
+use crate::program::r_parameters::{
+    Answers, Assigned, Call, Older, edits as of_program, find, findings, left_out, reasons,
+};
 use crate::refused::Path;
 use crate::syntax::position::Positions;
 use crate::syntax::programs::programs;

@@ -226,7 +226,12 @@ impl Line<'_> {
         } else if word.starts_with('$') {
             if let Some(identifier) = other_identifier(&datum.name, word) {
                 let texts = [word.to_owned(), identifier.to_owned()];
-                self.to.renamed.push(Odd { name: datum.name.clone(), channel: *self.channel, place: self.place, texts });
+                self.to.renamed.push(Odd {
+                    name: datum.name.clone(),
+                    channel: *self.channel,
+                    place: self.place,
+                    texts,
+                });
             }
             self.spelled = number.iter().map(String::as_str).chain([word]).collect::<Vec<_>>().join(" ");
         }

@@ -235,8 +235,7 @@ fn answer(program: &Program, older: &Older, one: &Assigned, name: Name) -> Resul
     let key = if spare.is_empty() { "older-answer" } else { "older-answer-without" };
     let label = Message::new(key).text("name", name).text("text", texts(&taken));
     let label = if spare.is_empty() { label } else { label.text("other", texts(&spare)) };
-    let mut all: Vec<Edit> =
-        taken.iter().flat_map(|one| named(program, one, one.names.iter().copied())).collect();
+    let mut all: Vec<Edit> = taken.iter().flat_map(|one| named(program, one, one.names.iter().copied())).collect();
     all.extend(without(program, &spare.iter().map(|one| one.word).collect::<Vec<_>>()));
     Ok(Cure { label, edits: separated(program, all) })
 }
@@ -245,9 +244,8 @@ fn answer(program: &Program, older: &Older, one: &Assigned, name: Name) -> Resul
 fn together<'a>(older: &'a Older, one: &'a Assigned) -> Vec<&'a Assigned> {
     let mut calls: BTreeSet<usize> = one.calls.iter().copied().collect();
     loop {
-        let of_calls = |one: &&Assigned| {
-            SETPOINTS.contains(&one.number) && one.calls.iter().any(|call| calls.contains(call))
-        };
+        let of_calls =
+            |one: &&Assigned| SETPOINTS.contains(&one.number) && one.calls.iter().any(|call| calls.contains(call));
         let found: Vec<&Assigned> = older.assigned.iter().filter(of_calls).collect();
         let before = calls.len();
         calls.extend(found.iter().flat_map(|one| &one.calls));

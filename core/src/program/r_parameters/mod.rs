@@ -191,8 +191,7 @@ fn is_same(program: &Program, first: &[&Assigned], second: &[&Assigned]) -> bool
         (Some(values), ..) => values.windows(2).all(|pair| pair[0] == pair[1]),
         (None, [first], [second]) => {
             let text = |one: &Assigned| program.written(program.place(one.value));
-            let [before, behind] =
-                if first.word.start < second.word.start { [first, second] } else { [second, first] };
+            let [before, behind] = if first.word.start < second.word.start { [first, second] } else { [second, first] };
             text(first) == text(second) && holds(program, before, behind)
         }
         _ => false,

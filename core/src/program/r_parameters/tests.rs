@@ -255,7 +255,6 @@ fn a_block_number_stays_where_the_assignment_goes() {
         ("CASE R7 OF 1 GOTOF N20 2 GOTOF N30 DEFAULT GOTOF N30\n", "N20", ""),
         ("IF R1==1 GOTOF N20\n", "N20", ""),
         ("", ":20", "IF R9==2 GOTOB N20\n"),
-        ("", "N20", "N40 REPEATB N20 P=2\n"),
         ("", "/N20", ""),
         ("", "\tN20", ""),
     ] {
