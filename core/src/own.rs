@@ -281,8 +281,10 @@ sentences! {
     OLDER_FIRST 211 Warning "older-open-first" "older-setpoint-hint";
     OLDER_SECOND 211 Warning "older-open-second" "older-setpoint-hint";
     OLDER_UNUSED 212 Note "older-unused" "";
+    OLDER_OTHER 212 Note "older-other" "";
     OLDER_RESULT 213 Warning "older-result" "older-result-hint";
     OLDER_UNCLEAR 214 Warning "older-unclear" "older-unclear-hint";
+    OLDER_WAY 214 Warning "older-way" "older-way-hint";
     OLDER_SUBROUTINE 215 Note "older-subroutine" "";
     OLDER_FACTOR 216 Note "older-factor" "";
     OLDER_MISSING 217 Note "older-missing" "older-missing-hint";

@@ -97,7 +97,7 @@ pub use machine_check::{
     ExportedFile, MachineAxis, MachineCheckRequest, MachineCheckView, MachineFault, MachineLimit, MachinePlace,
     machine_check,
 };
-pub use older::{OlderCall, OlderName, OlderParameter, OlderRequest, OlderView, answers, older};
+pub use older::{OlderCall, OlderLeft, OlderName, OlderParameter, OlderRequest, OlderView, answers, older};
 pub use outcome::{Measured, Outcome, Raised};
 pub use pointed::{PointedRequest, PointedView, pointed};
 pub use practice::{

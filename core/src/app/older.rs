@@ -10,7 +10,9 @@ use crate::dialect::Dialect;
 use crate::entry::{Typed, names};
 use crate::message::Message;
 use crate::name::Name;
-use crate::program::r_parameters::{Answers, Assigned, Call, Older, edits as of_program, find, findings, reasons};
+use crate::program::r_parameters::{
+    Answers, Assigned, Call, Older, edits as of_program, find, findings, left_out, reasons,
+};
 use crate::refused::Path;
 use crate::syntax::position::Positions;
 use crate::syntax::programs::programs;
@@ -50,6 +52,20 @@ pub struct OlderCall {
     pub line: u32,
     /// What reaches it, in the order of the R parameters.
     pub parameters: Vec<OlderParameter>,
+    /// What nothing gives a value, so that the value of an earlier call counts (B:1696).
+    pub left_open: Vec<OlderLeft>,
+}
+
+/// A parameter that a call leaves open.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct OlderLeft {
+    /// The R parameter that it was, `R27`.
+    pub parameter: String,
+    /// Its name and meaning today.
+    #[serde(flatten)]
+    pub name: OlderName,
+    /// The value on delivery.
+    pub delivered: f64,
 }
 
 /// An R parameter that reaches a call.
@@ -59,8 +75,11 @@ pub struct OlderParameter {
     pub text: String,
     /// Its line, from 1.
     pub line: u32,
-    /// The names that it may be, each with its meaning here; none: this variant does not use it.
+    /// The names that it may be, each with its meaning here; none: this variant does not use it, or `instead`.
     pub names: Vec<OlderName>,
+    /// The R parameter that is this parameter in its place, `R32`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub instead: Option<String>,
 }
 
 /// A parameter of today.
@@ -83,7 +102,7 @@ pub fn older(asked: OlderRequest) -> Result<OlderView, Error> {
     let positions = Positions::new(&program.source);
     let mut found = Vec::new();
     findings(&program, &programs, &older, &mut found);
-    found.extend(reasons(&program, &older));
+    found.extend(reasons(&program, &programs, &older));
     found.sort_by_key(|one| one.span.map_or(0, |span| span.start));
     Ok(OlderView {
         calls: older.calls.iter().map(|call| told(&program, &older, call)).collect(),
@@ -128,21 +147,27 @@ fn told(program: &Program, older: &Older, call: &Call) -> OlderCall {
     let value = |one: &Assigned| program.written(program.place(one.value));
     let typed: Typed = reaching.iter().filter_map(|one| Some((names(one).next()?.to_string(), value(one)))).collect();
     let inputs = check::read(call.cycle, &typed, &delivery(Dialect::Sinumerik), &mut Vec::new());
-    let parameter = |one: &&Assigned| {
-        let named = |name: Name| {
-            let param = call.cycle.param(&name)?;
-            let key = if name == names::MVAR { variant(call, &typed) } else { None };
-            let key = key.unwrap_or_else(|| format!("param-{}", param.label(&inputs)));
-            Some(OlderName { name, label: Message::new(key) })
-        };
-        let line = program.line_of(one.word.start) + 1;
-        OlderParameter { text: one.text(program), line, names: names(one).filter_map(named).collect() }
+    let named = |name: Name| {
+        let param = call.cycle.param(&name)?;
+        let key = if name == names::MVAR { variant(call, &typed) } else { None };
+        let key = key.unwrap_or_else(|| format!("param-{}", param.label(&inputs)));
+        Some(OlderName { name, label: Message::new(key) })
     };
+    let parameter = |one: &&Assigned| OlderParameter {
+        text: one.text(program),
+        line: program.line_of(one.word.start) + 1,
+        names: names(one).filter_map(named).collect(),
+        instead: call.instead.get(&one.number).map(|rival| format!("R{rival}")),
+    };
+    let left = left_out(program, older, call).into_iter().filter_map(|(number, name, delivered)| {
+        Some(OlderLeft { parameter: format!("R{number}"), name: named(name)?, delivered })
+    });
     OlderCall {
         name: program.name(call.name),
         cycle: call.cycle.name,
         line: program.line_of(call.name.start) + 1,
         parameters: reaching.iter().map(parameter).collect(),
+        left_open: left.collect(),
     }
 }
 

@@ -538,6 +538,40 @@ fn a_program_of_the_840c_is_converted_once_it_is_clear() {
     std::fs::remove_dir_all(&folder).unwrap();
 }
 
+// oracle: manual B:1696 (values of an earlier call count on), DESIGN.md (what is left open is listed, calls are told)
+#[test]
+fn a_program_of_the_840c_is_converted_with_its_subprograms() {
+    let folder = std::env::temp_dir().join(format!("probewright-older-with-{}", std::process::id()));
+    let path = |name: &str| folder.join(name).to_str().unwrap().to_owned();
+    std::fs::create_dir_all(&folder).unwrap();
+    let (main, sub, into) = (path("main.mpf"), path("L100.SPF"), path("today"));
+    // no line end behind the last line
+    std::fs::write(&main, "R23=1 R22=1 ; \u{fc}\nL100\nL977\nM30").unwrap();
+    std::fs::write(&sub, "R32=80\nM17\n").unwrap();
+    let alone = probewright(&["older", &main]);
+    assert_eq!(out(&alone), "_MVAR=1 _PRNUM=1 ; \u{fc}\nL100\nCYCLE977\nM30");
+    assert!(err(&alone).contains("PW310") && err(&alone).contains("L100"), "{}", err(&alone));
+    assert!(err(&alone).contains("PW217") && err(&alone).contains("R27 (_NMSP=1)"), "{}", err(&alone));
+    assert!(!err(&alone).contains("PW210"), "{}", err(&alone));
+    let told = out(&probewright(&["older", &main, "--explain"]));
+    assert!(told.contains("R27  _NMSP: ") && !told.contains("R32"), "{told}");
+    let told = out(&probewright(&["older", &main, "--explain", "--with", &sub]));
+    assert!(told.starts_with("3: L977 → CYCLE977\n") && told.contains("R32=80  _SETVAL: "), "{told}");
+    // both change: nothing of it without a place for both
+    let both = probewright(&["older", &main, "--with", &sub]);
+    assert_eq!((both.status.code(), out(&both).as_str()), (Some(1), ""));
+    assert!(err(&both).contains("--into") && err(&both).contains("L100.SPF") && !err(&both).contains("PW310"));
+    let same = probewright(&["older", &main, "--with", &sub, "--into", folder.to_str().unwrap()]);
+    assert_eq!(same.status.code(), Some(2), "{}", err(&same));
+    let done = probewright(&["older", &main, "--with", &sub, "--into", &into]);
+    assert_eq!(done.status.code(), Some(0), "{}", err(&done));
+    let text = |name: &str| std::fs::read_to_string(folder.join("today").join(name)).unwrap();
+    assert_eq!(text("main.mpf"), "_MVAR=1 _PRNUM=1 ; \u{fc}\nL100\nCYCLE977\nM30");
+    assert_eq!(text("L100.SPF"), "_SETVAL=80\nM17\n");
+    assert_eq!(std::fs::read_to_string(&sub).unwrap(), "R32=80\nM17\n");
+    std::fs::remove_dir_all(&folder).unwrap();
+}
+
 // oracle: manual B:13276-13288 (lines of the example), self (what is saved in a setup is read from it)
 #[test]
 fn definition_files_are_read_and_written() {

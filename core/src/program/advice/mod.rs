@@ -15,6 +15,7 @@ mod unsaid;
 use super::calls::{CallSite, Way};
 use super::change::{line_at_begin, line_before, line_end};
 use super::flow::{State, changes_tools};
+use super::r_parameters::Older;
 use super::tools::ToolInUse;
 use crate::check::newer;
 use crate::control::Control;
@@ -53,6 +54,11 @@ impl Seen<'_> {
         let unit = self.programs.of_line(line);
         line > self.site.line && unit.is_some() && unit == self.programs.of_line(self.site.line)
     }
+}
+
+/// Tells what a program with calls of an 840C calls that the text does not hold.
+pub(super) fn outside_older(program: &Program, programs: &Programs, older: &Older, found: &mut Vec<Diagnostic>) {
+    subprograms::outside(program, programs, &older::known(program, programs, older), found);
 }
 
 /// Findings about the measuring calls of a program that starts on a control in this state.

@@ -85,6 +85,9 @@ pub trait Follow {
     }
     /// The whole program ends.
     fn end(&mut self, _: &Self::State) {}
+    /// What begins or ends here is not followed to its end: a circle of programs, more levels or passes than are
+    /// followed.
+    fn lost(&mut self, _: Span) {}
 }
 
 /// Follows every program of the text from where it is called, those that nothing here calls from a state of their own.
@@ -198,10 +201,20 @@ impl<F: Follow> Walk<'_, F> {
         let last = seen.passed.last().filter(|_| seen.passed.len() >= self.entries);
         let Some((last, after)) = last else { return Err(before) };
         let common = last.meet(&before);
-        if common == *last || seen.times >= TIMES {
+        if common == *last {
             return Ok((common, after.clone()));
         }
+        if seen.times >= TIMES {
+            let after = after.clone();
+            self.lost_in(unit);
+            return Ok((common, after));
+        }
         Err(common)
+    }
+
+    fn lost_in(&mut self, unit: usize) {
+        let block = self.programs.units.get(unit).and_then(|unit| self.program.blocks.get(unit.blocks.start));
+        self.rules.lost(block.map_or_else(Span::default, |block| block.span));
     }
 
     fn blocks(&mut self, unit: usize, state: F::State) -> Option<F::State> {
@@ -237,10 +250,14 @@ impl<F: Follow> Walk<'_, F> {
         let back = self.passes.back(self.program, branches, at, range);
         if let Some(back) = back {
             let length = at + 1 - back.head();
-            if self.passes.returns(branches, back) && self.budget >= length {
+            let new = self.passes.returns(branches, back);
+            if new == Some(true) && self.budget >= length {
                 self.budget -= length;
                 self.passes.again(branches, back);
                 return back.head();
+            }
+            if new.is_some() {
+                self.rules.lost(self.program.blocks.get(at).map_or_else(Span::default, |block| block.span));
             }
             self.passes.done(branches, back);
         }
@@ -262,6 +279,9 @@ impl<F: Follow> Walk<'_, F> {
         match called(self.program, self.programs, words, at) {
             Some(Called::Here(unit)) => {
                 let entry = Entry { unit, words, at };
+                if self.open.contains(&unit) || self.open.len() >= LEVELS {
+                    self.rules.lost(entry.place());
+                }
                 let begin = self.rules.enter(&branches.state, &entry);
                 match self.unit(unit, begin) {
                     Some((begin, after)) => {

@@ -135,14 +135,15 @@ impl<S: Meet> Passes<S> {
         }
     }
 
-    /// Takes in what goes back; true: it is new there.
-    pub fn returns(&mut self, branches: &Branches<S>, back: Back) -> bool {
-        let Some(head) = self.heads.get_mut(&back.head()).filter(|_| !branches.dead) else { return false };
-        let Some((_, now)) = head.round else { return false };
+    /// Takes in what goes back where that is new: whether there is room for another pass with it.
+    pub fn returns(&mut self, branches: &Branches<S>, back: Back) -> Option<bool> {
+        let head = self.heads.get_mut(&back.head()).filter(|_| !branches.dead)?;
+        let known = |head: &Head<S>| head.passes.iter().any(|(state, _)| *state == branches.state);
+        let Some((_, now)) = head.round else { return (!known(head)).then_some(false) };
         if let Some((_, end)) = head.passes.get_mut(now) {
             *end = Some(end.as_ref().map_or_else(|| branches.state.clone(), |end| end.meet(&branches.state)));
         }
-        !head.passes.iter().any(|(state, _)| *state == branches.state) && head.passes.len() < ENTRIES
+        (!known(head)).then_some(head.passes.len() < ENTRIES)
     }
 
     /// Goes back for another pass.

@@ -49,19 +49,23 @@ struct Walk<'a> {
     /// What R parameters can be, as programs write it.
     known: BTreeMap<&'static str, Name>,
     clashes: BTreeMap<(usize, Name), u32>,
+    lost: Vec<Span>,
 }
 
-/// Each parameter of each call that would come from somewhere else than from its R parameter, once.
-pub(super) fn clashes(program: &Program, programs: &Programs, older: &Older) -> Vec<Clash> {
-    if older.calls.is_empty() || older.unclear.is_some() {
-        return Vec::new();
+/// Each parameter of each call that would come from somewhere else than from its R parameter, once; and where that could
+/// not be followed.
+pub(super) fn clashes(program: &Program, programs: &Programs, older: &Older) -> (Vec<Clash>, Vec<Span>) {
+    if older.calls.is_empty() || older.unclear.is_some() || !older.ways.is_empty() {
+        return (Vec::new(), Vec::new());
     }
     let cycles: BTreeMap<&str, _> = older.calls.iter().map(|call| (call.cycle.name, call.cycle)).collect();
     let names = cycles.values().flat_map(|cycle| numbers().flat_map(|number| printed(cycle, number)));
     let known = names.map(|name| (name.as_str(), name)).collect();
-    let mut walk = Walk { program, older, known, clashes: BTreeMap::new() };
+    let mut walk = Walk { program, older, known, clashes: BTreeMap::new(), lost: Vec::new() };
     follow(program, programs, &mut walk);
-    walk.clashes.into_iter().map(|((call, name), from)| Clash { call, name, from }).collect()
+    walk.lost.sort_by_key(|place| place.start);
+    walk.lost.dedup();
+    (walk.clashes.into_iter().map(|((call, name), from)| Clash { call, name, from }).collect(), walk.lost)
 }
 
 impl Walk<'_> {
@@ -113,6 +117,10 @@ impl Follow for Walk<'_> {
         for word in words {
             state.0.extend(self.writes(word));
         }
+    }
+
+    fn lost(&mut self, place: Span) {
+        self.lost.push(place);
     }
 
     fn call(&mut self, state: &mut Holds, word: &Word) {

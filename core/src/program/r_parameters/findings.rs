@@ -2,13 +2,14 @@
 //! assignment where the manual leaves open what is meant.
 
 use super::edits::{edits, named, separated, without};
-use super::{Answers, Assigned, Call, Older, find};
-use crate::catalogue::r_parameters::{Called, FACTOR, VARIANT};
-use crate::diagnostic::{Diagnostic, Edit, Span};
+use super::{Answers, Assigned, Call, Clash, Older, find};
+use crate::catalogue::r_parameters::{Called, FACTOR, SETPOINTS, VARIANT};
+use crate::diagnostic::{Cure, Diagnostic, Edit};
 use crate::entry::names;
 use crate::message::{Arg, Message};
 use crate::name::Name;
 use crate::own::{self, Own};
+use crate::program::advice::outside_older as outside;
 use crate::program::findings::not_understood;
 use crate::syntax::fold::{NOTHING, number};
 use crate::syntax::programs::Programs;
@@ -49,8 +50,7 @@ pub fn findings(program: &Program, programs: &Programs, older: &Older, found: &m
         if !one.open.is_empty() {
             found.extend(questions(program, older, &answered, one));
         } else if one.names.is_empty() && !one.read {
-            let cycles = cycles(older, one);
-            found.push(own::OLDER_UNUSED.finding().text("text", one.text(program)).text("cycles", cycles).on(one.word));
+            found.push(not_taken(program, older, one));
         }
     }
     for clash in &older.clashes {
@@ -70,6 +70,9 @@ pub fn findings(program: &Program, programs: &Programs, older: &Older, found: &m
     for place in &older.unread {
         found.push(own::OLDER_UNREAD.finding().text("text", program.written(*place)).on(*place));
     }
+    for place in &older.ways {
+        found.push(own::OLDER_WAY.finding().text("text", program.written(*place)).on(*place));
+    }
     if let Some(place) = older.unclear {
         found.push(own::OLDER_UNCLEAR.finding().text("text", program.written(place)).on(place));
     }
@@ -88,24 +91,52 @@ fn both(program: &Program, older: &Older, one: &Assigned) -> Diagnostic {
     finding.text("names", names.join(", ")).on(one.word)
 }
 
-/// Why words could not be read, for those to whom the errors of the program are not told anyway.
-pub fn reasons(program: &Program, older: &Older) -> Vec<Diagnostic> {
+/// Why an assignment goes: another R parameter is the setpoint, or the variant does not use it.
+fn not_taken(program: &Program, older: &Older, one: &Assigned) -> Diagnostic {
+    let calls = || one.calls.iter().filter_map(|at| older.calls.get(*at));
+    let rival = calls().find_map(|call| call.instead.get(&one.number));
+    let (sentence, cycles) = match rival {
+        Some(_) => (&own::OLDER_OTHER, of_calls(calls().filter(|call| call.instead.contains_key(&one.number)))),
+        None => (&own::OLDER_UNUSED, of_calls(calls())),
+    };
+    let finding = sentence.finding().text("text", one.text(program)).text("cycles", cycles).on(one.word);
+    match rival {
+        Some(rival) => finding.text("other", format!("R{rival}")),
+        None => finding,
+    }
+}
+
+/// Why words could not be read, and what the text calls and does not hold, for those to whom the findings of the program
+/// are not told anyway.
+pub fn reasons(program: &Program, programs: &Programs, older: &Older) -> Vec<Diagnostic> {
     let within = |error: &&SyntaxError| {
         let behind = older.unread.partition_point(|word| word.start <= error.span.start);
         let word = behind.checked_sub(1).and_then(|at| older.unread.get(at));
         word.is_some_and(|word| error.span.start <= word.end)
     };
-    program.errors.iter().filter(within).map(|error| not_understood(program, error)).collect()
+    let mut found: Vec<Diagnostic> =
+        program.errors.iter().filter(within).map(|error| not_understood(program, error)).collect();
+    if !older.calls.is_empty() {
+        outside(program, programs, older, &mut found);
+    }
+    found
+}
+
+/// R parameters to which nothing gives a value at a call of which one variant comes: their names, and the values on
+/// delivery.
+pub fn left_out(program: &Program, older: &Older, call: &Call) -> Vec<(u16, Name, f64)> {
+    let variants = call.given.get(&VARIANT).into_iter().flatten().filter_map(|at| older.assigned.get(*at));
+    let variants: Vec<&Assigned> = variants.collect();
+    let [variant] = variants[..] else { return Vec::new() };
+    let called = Called::of(call.cycle, number(program, variant.value, NOTHING));
+    called.left_out(|number| call.given.contains_key(&number))
 }
 
 /// What the call gives no value to: on both controls the value of an earlier call counts (B:1696). The cure writes the
 /// values on delivery behind the last assignment that reaches the call.
 fn missing(program: &Program, older: &Older, call: &Call) -> Option<Diagnostic> {
     let of = |number: &u16| call.given.get(number).into_iter().flatten().filter_map(|at| older.assigned.get(*at));
-    let variant: Vec<&Assigned> = of(&VARIANT).collect();
-    let [variant] = variant[..] else { return None };
-    let called = Called::of(call.cycle, number(program, variant.value, NOTHING));
-    let left = called.left_out(|number| call.given.contains_key(&number));
+    let left = left_out(program, older, call);
     let last = call.given.keys().flat_map(of).map(|one| one.word.end).filter(|end| *end <= call.word.start).max();
     let names: Vec<String> = left.iter().map(|(number, name, value)| format!("R{number} ({name}={value})")).collect();
     let values: Vec<String> = left.iter().map(|(number, _, value)| format!("R{number}={value}")).collect();
@@ -152,10 +183,12 @@ fn questions(program: &Program, older: &Older, answered: &Answered, one: &Assign
     };
     let question = |name: &Name| {
         let finding = sentence(one, *name)?.finding().text("text", one.text(program));
-        let label = Message::new("older-answer").text("name", *name).text("text", one.text(program));
         let finding = finding.text("cycles", open_for(older, one)).text("other", other(*name)).on(one.word);
-        let edits = answered.get(&(one.number, *name)).map(|older| answer(program, older, one));
-        Some(finding.cured(label, edits.unwrap_or_default()))
+        Some(match answered.get(&(one.number, *name)).map(|older| answer(program, older, one, *name)) {
+            Some(Ok(cure)) => finding.cured(cure.label, cure.edits),
+            Some(Err(reason)) => finding.hint(reason),
+            None => finding,
+        })
     };
     one.open.iter().filter_map(question).collect()
 }
@@ -176,37 +209,59 @@ fn sentence(one: &Assigned, name: Name) -> Option<&'static Own> {
     }
 }
 
-/// The edits of an answer, in the program that is answered so. None where they would not be all of it: a call would get
-/// the value of another one, another question is open here, or the other setpoint is read elsewhere and cannot go.
-fn answer(program: &Program, older: &Older, one: &Assigned) -> Vec<Edit> {
+/// The cure of an answer, in the program that is answered so: the assignments with which it is decided, else the whole
+/// program, which is what the answer gives in the terminal. Else the reason why there is none.
+fn answer(program: &Program, older: &Older, one: &Assigned, name: Name) -> Result<Cure, Message> {
     let at = older.assigned.binary_search_by_key(&one.word.start, |other| other.word.start);
-    let Some(now) = at.ok().and_then(|at| older.assigned.get(at)) else { return Vec::new() };
-    let of_rival = older.assigned.iter().filter(|other| one.rival() == Some(other.number));
-    let beside: Vec<&Assigned> =
-        of_rival.filter(|other| other.calls.iter().any(|call| one.calls.contains(call))).collect();
-    let stays = beside.iter().any(|other| other.read || !other.names.is_empty());
-    let clashes = older.clashes.iter().any(|clash| one.calls.contains(&clash.call));
-    if stays || clashes || !now.open.is_empty() {
-        return Vec::new();
+    let part = |key| Message::new(key).text("text", one.text(program));
+    let open = || part("older-answer-part-hint");
+    let now = at.ok().and_then(|at| older.assigned.get(at)).filter(|now| now.open.is_empty()).ok_or_else(open)?;
+    let together = if one.rival().is_some() { together(older, now) } else { vec![now] };
+    let concerned = |clash: &&Clash| together.iter().any(|one| one.calls.contains(&clash.call));
+    if let Some(clash) = older.clashes.iter().find(concerned) {
+        let word = older.calls.get(clash.call).map(|call| program.name(call.name)).unwrap_or_default();
+        let hint = Message::new("older-answer-clash-hint").text("word", word).text("name", clash.name);
+        return Err(hint.text("text", program.written(clash.place(program))));
     }
-    let mut all = named(program, now, now.names.iter().copied());
-    let spare: Vec<Span> = beside.iter().map(|other| other.word).collect();
-    all.extend(without(program, &spare));
-    separated(program, all)
+    // what is read elsewhere too stays as an R parameter, and would come to the call as one
+    if together.iter().any(|one| one.read) {
+        let label = Message::new("older-answer-whole").text("cycles", of_calls(&older.calls));
+        let label = label.text("name", name).text("text", one.text(program));
+        let whole = Some(edits(program, older)).filter(|edits| !edits.is_empty());
+        return whole.map(|edits| Cure { label, edits }).ok_or_else(|| part("older-answer-later-hint"));
+    }
+    let (taken, spare): (Vec<&Assigned>, Vec<&Assigned>) = together.iter().partition(|one| !one.names.is_empty());
+    let texts = |all: &[&Assigned]| all.iter().map(|one| one.text(program)).collect::<Vec<_>>().join(", ");
+    let key = if spare.is_empty() { "older-answer" } else { "older-answer-without" };
+    let label = Message::new(key).text("name", name).text("text", texts(&taken));
+    let label = if spare.is_empty() { label } else { label.text("other", texts(&spare)) };
+    let mut all: Vec<Edit> = taken.iter().flat_map(|one| named(program, one, one.names.iter().copied())).collect();
+    all.extend(without(program, &spare.iter().map(|one| one.word).collect::<Vec<_>>()));
+    Ok(Cure { label, edits: separated(program, all) })
 }
 
-/// The cycles that an assignment reaches.
-fn cycles(older: &Older, one: &Assigned) -> String {
-    of_calls(one.calls.iter().filter_map(|at| older.calls.get(*at)))
+/// The setpoints that have to be written at once: those of the same calls, and of the calls that these reach.
+fn together<'a>(older: &'a Older, one: &'a Assigned) -> Vec<&'a Assigned> {
+    let mut calls: BTreeSet<usize> = one.calls.iter().copied().collect();
+    loop {
+        let of_calls =
+            |one: &&Assigned| SETPOINTS.contains(&one.number) && one.calls.iter().any(|call| calls.contains(call));
+        let found: Vec<&Assigned> = older.assigned.iter().filter(of_calls).collect();
+        let before = calls.len();
+        calls.extend(found.iter().flat_map(|one| &one.calls));
+        if calls.len() == before {
+            return found;
+        }
+    }
 }
 
-/// Those of them that take it.
+/// The cycles that take an assignment.
 fn taken_by(older: &Older, one: &Assigned) -> String {
     let calls = one.calls.iter().filter_map(|at| older.calls.get(*at));
     of_calls(calls.filter(|call| call.names.get(&one.number).is_some_and(|names| !names.is_empty())))
 }
 
-/// Those of them for which it is open what an assignment is.
+/// Those for which it is open what an assignment is.
 fn open_for(older: &Older, one: &Assigned) -> String {
     let names = |call: &Call, number| call.names.get(&number).map_or(0, BTreeSet::len);
     let open = |call: &&Call| match one.rival() {

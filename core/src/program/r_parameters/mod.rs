@@ -9,17 +9,18 @@ mod loop_tests;
 #[cfg(test)]
 mod tests;
 mod walk;
+mod ways;
 
 pub use edits::edits;
-pub use findings::{findings, is_of_call, reasons};
+pub use findings::{findings, is_of_call, left_out, reasons};
 
 use crate::catalogue::r_parameters::{Called, SETPOINTS, VARIANT};
 use crate::diagnostic::Span;
 use crate::entry::Cycle;
 use crate::name::Name;
-use crate::syntax::fold::{NOTHING, number};
+use crate::syntax::fold::{NOTHING, names_in, number};
 use crate::syntax::programs::Programs;
-use crate::syntax::{ExprId, Program, WordKind};
+use crate::syntax::{ExprId, Program, Word, WordKind};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// What somebody answered: which name an R parameter is, where the manual leaves it open.
@@ -36,6 +37,8 @@ pub struct Older {
     pub results: Vec<(u16, Span)>,
     /// Where the program gives an R parameter a value that cannot be followed.
     pub unclear: Option<Span>,
+    /// What leads to a call, or away from it, on a way that is not followed.
+    pub ways: Vec<Span>,
     /// Words that could not be read: they may assign R parameters of a call, or read them.
     pub unread: Vec<Span>,
     /// Calls with the number of a cycle that no 840C had, to which a variant comes: name in the call, and the cycle.
@@ -70,6 +73,8 @@ pub struct Call {
     pub given: BTreeMap<u16, Vec<usize>>,
     /// The names that each of these R parameters is here; several: the manual does not say which.
     pub names: BTreeMap<u16, BTreeSet<Name>>,
+    /// R parameters that do not count here, because another one is the same parameter: that one.
+    pub instead: BTreeMap<u16, u16>,
     /// What it reads of what R parameters can be.
     reads: BTreeSet<Name>,
 }
@@ -107,6 +112,7 @@ pub fn find(program: &Program, programs: &Programs, answers: &Answers) -> Older 
             let Some(meant) = meant.get(number) else { continue };
             let (names, open) = meant.with(*number, answers);
             older.answered.extend((meant.open && !open).then_some(*number));
+            call.instead.extend(meant.rival.filter(|_| names.is_empty()).map(|rival| (*number, rival)));
             for at in places {
                 let Some(assigned) = older.assigned.get_mut(*at) else { continue };
                 if open { &mut assigned.open } else { &mut assigned.names }.extend(&names);
@@ -115,7 +121,9 @@ pub fn find(program: &Program, programs: &Programs, answers: &Answers) -> Older 
         }
     }
     older.answers.clone_from(answers);
-    older.clashes = clash::clashes(program, programs, &older);
+    let (clashes, lost) = clash::clashes(program, programs, &older);
+    older.clashes = clashes;
+    older.ways.extend(lost);
     older
 }
 
@@ -160,11 +168,11 @@ fn meant(program: &Program, older: &Older, call: &Call, variants: &[Called]) -> 
         }
         meant.open |= meant.names.len() > 1;
     }
-    let texts = |number: &u16| of(number).map(|one| program.written(program.place(one.value))).collect::<BTreeSet<_>>();
     let [first, second] = SETPOINTS;
     if [first, second].iter().all(|number| all.get(number).is_some_and(|one| !one.names.is_empty())) {
-        if texts(&first) == texts(&second) && texts(&first).len() == 1 {
-            all.remove(&second);
+        if is_same(program, &of(&first).collect::<Vec<_>>(), &of(&second).collect::<Vec<_>>()) {
+            let without = Meant { rival: Some(first), ..Meant::default() };
+            all.insert(second, without);
         } else {
             for (number, rival) in [(first, second), (second, first)] {
                 all.entry(number).and_modify(|one| (one.open, one.rival) = (true, Some(rival)));
@@ -174,10 +182,41 @@ fn meant(program: &Program, older: &Older, call: &Call, variants: &[Called]) -> 
     all
 }
 
+/// Whether two R parameters have one value: the same number, whichever assignments come, or what the same variables
+/// hold at the same time.
+fn is_same(program: &Program, first: &[&Assigned], second: &[&Assigned]) -> bool {
+    let value = |one: &&Assigned| number(program, one.value, NOTHING);
+    let known: Option<Vec<f64>> = first.iter().chain(second).map(value).collect();
+    match (known, first, second) {
+        (Some(values), ..) => values.windows(2).all(|pair| pair[0] == pair[1]),
+        (None, [first], [second]) => {
+            let text = |one: &Assigned| program.written(program.place(one.value));
+            let [before, behind] = if first.word.start < second.word.start { [first, second] } else { [second, first] };
+            text(first) == text(second) && holds(program, before, behind)
+        }
+        _ => false,
+    }
+}
+
+/// Whether what an assignment reads is the same at a later one of its block: nothing between them writes it.
+fn holds(program: &Program, before: &Assigned, behind: &Assigned) -> bool {
+    let mut read = BTreeSet::new();
+    names_in(program, before.value, &mut read);
+    let known = read.iter().all(|name| name != "R" && !name.starts_with('$'));
+    let from = program.words.partition_point(|word| word.span.start < before.word.start);
+    let between = program.words.iter().skip(from).take_while(|word| word.span.start < behind.word.start);
+    let keeps = |word: &Word| match &word.kind {
+        WordKind::Assign { name, index, .. } => index.is_empty() && !read.contains(&program.name(*name)),
+        WordKind::Address { .. } => true,
+        _ => false,
+    };
+    known && program.line_of(before.word.start) == program.line_of(behind.word.start) && between.into_iter().all(keeps)
+}
+
 impl Older {
     /// Whether every assignment is known to be one parameter, or none, and every call would get its own values.
     pub fn is_clear(&self) -> bool {
-        let followed = self.unclear.is_none() && self.unread.is_empty();
+        let followed = self.unclear.is_none() && self.ways.is_empty() && self.unread.is_empty();
         followed && self.clashes.is_empty() && self.assigned.iter().all(|one| one.open.is_empty())
     }
 }

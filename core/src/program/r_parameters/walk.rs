@@ -1,5 +1,6 @@
 //! Which assignments of R parameters come to which measuring call of an 840C, along branches, loops and subprograms.
 
+use super::ways::unfollowed;
 use super::{Assigned, Call, Older, assignment};
 use crate::catalogue::r_parameters::{VARIANT, called, is_printed, is_result, newer, number};
 use crate::diagnostic::Span;
@@ -69,6 +70,8 @@ struct Walk<'a> {
     /// Results that a word reads, by its first byte and their number.
     results: BTreeMap<(u32, u16), (u16, Span)>,
     unclear: Option<Span>,
+    /// Where the walk lost its way, by the first byte.
+    lost: BTreeMap<u32, Span>,
     /// Words that could not be read, by their first byte.
     unread: BTreeMap<u32, Span>,
 }
@@ -92,14 +95,15 @@ pub(super) fn walk(program: &Program, programs: &Programs) -> Older {
         read: BTreeSet::new(),
         results: BTreeMap::new(),
         unclear: None,
+        lost: BTreeMap::new(),
         unread: BTreeMap::new(),
     };
     follow(program, programs, &mut walk);
-    walk.found()
+    walk.found(programs)
 }
 
 impl Walk<'_> {
-    fn found(mut self) -> Older {
+    fn found(mut self, programs: &Programs) -> Older {
         // R23 makes it a measuring call: other subprograms have numbers too
         self.met.retain(|_, met| met.given.contains_key(&VARIANT));
         let newer = std::mem::take(&mut self.newer).into_values().collect();
@@ -111,12 +115,15 @@ impl Walk<'_> {
         let at = |place: &u32| assigned.binary_search_by_key(place, |one| one.word.start).ok();
         let mut older = Older { results: self.results.into_values().collect(), newer, ..Older::default() };
         older.unclear = self.unclear;
+        let ways = unfollowed(self.program, programs, self.candidates.keys().copied().collect());
+        self.lost.extend(ways.into_iter().map(|place| (place.start, place)));
+        older.ways = self.lost.into_values().collect();
         older.unread = self.unread.into_values().collect();
         for met in self.met.into_values() {
             let given = met.given.iter().map(|(number, places)| (*number, places.iter().filter_map(at).collect()));
-            let (names, reads) = (BTreeMap::new(), BTreeSet::new());
+            let (names, instead, reads) = (BTreeMap::new(), BTreeMap::new(), BTreeSet::new());
             let given = given.collect();
-            older.calls.push(Call { cycle: met.cycle, word: met.word, name: met.name, given, names, reads });
+            older.calls.push(Call { cycle: met.cycle, word: met.word, name: met.name, given, names, instead, reads });
         }
         older.assigned = assigned;
         for (index, call) in older.calls.iter().enumerate() {
@@ -234,6 +241,10 @@ impl Follow for Walk<'_> {
             self.reads(state, word);
             self.writes(state, word, counts);
         }
+    }
+
+    fn lost(&mut self, place: Span) {
+        self.lost.insert(place.start, place);
     }
 
     fn call(&mut self, state: &mut Holds, word: &Word) {
