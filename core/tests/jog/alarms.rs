@@ -216,7 +216,6 @@ fn a_zero_offset_with_a_scale_factor_is_not_corrected() {
         let mut session = Session::new(&setup);
         open(&mut session, "set_edge", &[("zo", "G54"), ("x0", "10")]);
         stand(&mut session, [-20.0, 40.0, -5.0]);
-        session.carry_out(Input::Start).unwrap();
         assert_eq!(alarm(&mut session), 61310);
         assert_eq!(session.sim.control.frames[&1].coarse, [0.0; 3]);
     }

@@ -144,8 +144,8 @@ fn the_spindle_follows_a_tilted_wcs_and_what_is_left_is_told() {
         setup.workpiece.solids[0].at = Mcs([0.0; 3]);
         setup.probe.skew = [0.2, -0.1];
         setup.probe.stylus = Some(0.0);
-        for (name, value) in [("_WP[0,7]", 0.2), ("_WP[0,8]", -0.1)] {
-            setup.control.set(name, value);
+        for (place, value) in [(1, 2.8), (2, -3.2), (3, 3.1), (4, -2.9), (7, 0.2), (8, -0.1)] {
+            setup.control.set(format!("_WP[0,{place}]"), value);
         }
         let mut session = Session::new(&setup);
         open(&mut session, "set_edge", &[]);
