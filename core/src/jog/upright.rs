@@ -147,7 +147,7 @@ mod tests {
                 }
                 // the frame turns as the table does
                 let turned = Control { rotary: turns, ..control.clone() }.table_turn();
-                let apart = rigid::rotation(table.rotation).rotation_to(&turned).angle();
+                let apart = (rigid::rotation(table.rotation).matrix() - turned.matrix()).norm();
                 assert!(apart < 1e-9, "{axes:?} {tilt:?}: {apart}");
                 control.part_frame = table;
                 let up = control.direction_to_machine(V3::z().into());
