@@ -43,7 +43,7 @@ alarm-61309 = Der Typ des Messtasters ist unzulässig.
     .cure = Werkstückmessung: Messtaster einwechseln; zulässig: Typ 710 oder 1x0, auf Drehmaschinen 5xy mit Schneidenlage 5 bis 8. Fräszyklen akzeptieren 5xy nur bei SD 42950 = 2: Schneidenlage 5 oder 7 in G17, 6 oder 8 in G19. Werkzeugmessung: { "_TP[k,8]" } oder { "_TPW[k,8]" } auf 0, 101, 201 oder 301 setzen.
 alarm-61310 = Ein Maßstabsfaktor ist aktiv.
     .cause = Die gemessenen Längen würden mitskaliert.
-    .cure = Skalierung vor dem Messen abwählen.
+    .cure = Skalierung vor dem Messen abwählen, auch in einer NV, die korrigiert wird.
 alarm-61311 = Keine D-Nummer ist aktiv.
     .cause = D0 ist programmiert, oder seit dem Start fehlt ein Werkzeugwechsel.
     .cure = Vor dem Aufruf Messtaster oder zu messendes Werkzeug einwechseln (T, M6) und seine D-Nummer programmieren.

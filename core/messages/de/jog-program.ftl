@@ -13,6 +13,7 @@ jog-differs-fine = JOG schreibt grob und löscht fein. Der Zyklus korrigiert fei
 jog-differs-active = Was der Zyklus schreibt, wirkt, sobald das Programm die Nullpunktverschiebung wieder aufruft. JOG aktiviert sofort oder im Aktivierungsbild.
 jog-differs-tool-data = Der Zyklus nimmt Werkzeugmesstaster und Drehzahlen aus eigenen Daten (_TP, _CM), JOG aus E_MESS_MT_… und E_MESS_….
 jog-differs-spindle = Bei gedrehtem WKS folgt die Spindel im Zyklus, wie { $cycle } = { $there } angibt (1: sie folgt), in JOG, wie { $jog } = { $here } angibt (0: sie folgt).
+jog-differs-tilted = Im geneigten WKS bleibt die Spindel im Zyklus stehen, obwohl _CHBIT[13] = 1 ist. In JOG folgt sie.
 jog-differs-tool-memory = Der Zyklus schreibt, wie { $cycle } = { $there } angibt, JOG, wie { $jog } = { $here } angibt: 0 Geometrie, 1 Verschleiß.
 jog-differs-input = Der Zyklus liest den Messtaster an einem anderen Eingang ({ $cycle } = { $there }) als JOG ({ $jog } = { $here }): 0 Eingang 1, 1 Eingang 2.
 jog-differs-watched = Mit { $cycle } = { $there } überwacht der Zyklus den Weg zwischen den Punkten nicht (61302) und fährt ihn im Eilgang. JOG überwacht ihn immer.

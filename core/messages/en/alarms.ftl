@@ -43,7 +43,7 @@ alarm-61309 = The probe type is not permitted.
     .cure = Workpiece: change to the probe, type 710 or 1x0, on a turning machine 5xy with cutting edge position 5 to 8. Milling cycles accept 5xy with SD 42950 = 2: cutting edge position 5 or 7 in G17, 6 or 8 in G19. Tool probe: set { "_TP[k,8]" } or { "_TPW[k,8]" } to 0, 101, 201 or 301.
 alarm-61310 = A scale factor is active.
     .cause = Measured lengths would also be scaled.
-    .cure = Deselect the scaling before measuring.
+    .cure = Deselect the scaling before measuring, also in a zero offset that is corrected.
 alarm-61311 = No D number is active.
     .cause = D0 is programmed, or there was no tool change since the start.
     .cure = Load the probe or the tool to be measured (T, M6) and program its D number before the call.

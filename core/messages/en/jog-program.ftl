@@ -13,6 +13,7 @@ jog-differs-fine = JOG writes coarse and clears fine. The cycle corrects fine; w
 jog-differs-active = What the cycle writes takes effect when the program calls the zero offset again. JOG activates it at once or on the activation screen.
 jog-differs-tool-data = The cycle takes tool probe and speeds from its own data (_TP, _CM), JOG from E_MESS_MT_… and E_MESS_….
 jog-differs-spindle = With a rotated WCS the cycle lets the spindle follow as { $cycle } = { $there } says (1: it follows), JOG as { $jog } = { $here } (0: it follows).
+jog-differs-tilted = In a tilted WCS the spindle stays in the cycle, although _CHBIT[13] = 1. In JOG it follows.
 jog-differs-tool-memory = The cycle writes as { $cycle } = { $there } says, JOG as { $jog } = { $here }: 0 geometry, 1 wear.
 jog-differs-input = The cycle reads the probe at another input ({ $cycle } = { $there }) than JOG ({ $jog } = { $here }): 0 input 1, 1 input 2.
 jog-differs-watched = With { $cycle } = { $there } the cycle does not watch the way between the points (61302) and travels it rapidly. JOG always watches it.

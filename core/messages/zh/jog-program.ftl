@@ -13,6 +13,7 @@ jog-differs-fine = JOG 写入粗偏移并清除精偏移。循环修正精偏移
 jog-differs-active = 循环写入的值在程序再次调用零点偏移后生效。JOG 立即激活，或在激活画面中激活。
 jog-differs-tool-data = 循环从自己的数据（_TP、_CM）读取刀具测头和转速，JOG 从 E_MESS_MT_… 和 E_MESS_… 读取。
 jog-differs-spindle = WCS 旋转时，主轴是否跟随，在循环中由 { $cycle } = { $there } 决定（1：跟随），在 JOG 中由 { $jog } = { $here } 决定（0：跟随）。
+jog-differs-tilted = 在倾斜的 WCS 中，即使 _CHBIT[13] = 1，循环中主轴也不跟随；在 JOG 中主轴跟随。
 jog-differs-tool-memory = 循环按 { $cycle } = { $there } 写入，JOG 按 { $jog } = { $here } 写入：0 几何尺寸，1 磨损。
 jog-differs-input = 循环读取测头的输入（{ $cycle } = { $there }）与 JOG（{ $jog } = { $here }）不同：0 为输入 1，1 为输入 2。
 jog-differs-watched = { $cycle } = { $there } 时，循环不监控各点之间的路径（61302），并以快速移动行进。JOG 始终监控。

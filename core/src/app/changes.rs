@@ -1,7 +1,7 @@
 //! What is different after a run, with words for the names that a program would use.
 
 use crate::control::rotary::is_angle;
-use crate::control::{Control, gud, nct_data};
+use crate::control::{Control, Units, gud, machine_data, nct_data};
 use crate::message::Message;
 use crate::run;
 use serde::Serialize;
@@ -34,11 +34,33 @@ impl Change {
         let basic = control.basic_units;
         let (factor, unit) = match is_angle(&name) {
             true => (1.0, "deg"),
-            false if is_factor(&name) || gud::named(&name).is_some() && !run::is_length(&name) => (1.0, ""),
+            false if is_number(&name) => (1.0, metric(&name)),
             false => (basic.factor(), basic.name()),
         };
         let (label, name) = (label(control, &name), control.setting_of(&name).unwrap_or(name));
         Change { label, before: before / factor, after: after / factor, unit, name }
+    }
+}
+
+/// Whether a name is none of a length in the basic system: lengths are those of frames, of cutting edges but for type
+/// and position, calibrated ones and registers.
+fn is_number(name: &str) -> bool {
+    let stem = name.split('[').next().unwrap_or(name);
+    match name.chars().next() {
+        _ if is_factor(name) || ["$TC_DP1", "$TC_DP2"].contains(&stem) => true,
+        _ if gud::named(name).is_some() => !run::is_length(name),
+        Some('$') => !stem.starts_with("$P_") && !machine_data::of_edge(stem),
+        Some('#') => false,
+        _ => nct_data::find(name).is_none(),
+    }
+}
+
+/// The unit of a datum that is metric on any machine, as those of JOG are (B:14170-14172).
+fn metric(name: &str) -> &'static str {
+    let element = gud::place(name).and_then(|(gud, at)| gud.element(&at));
+    match element.map(|element| element.unit) {
+        Some(gud::Unit::Length(gud::System::Metric)) => Units::Metric.name(),
+        _ => "",
     }
 }
 

@@ -5,16 +5,19 @@ use super::changes::Change;
 use super::outcome::Raised;
 use super::record::Recorder;
 use super::run::RunAnswer;
-use crate::control::{AXES, Control, Value, gud};
-use crate::geometry::Mcs;
+use crate::control::machine_data::MACHINE_DATA;
+use crate::control::{AXES, BASIC_SYSTEM, Control, FORMS, GENERATION, OLDER_JOG, Value, gud};
+use crate::geometry::{Mcs, TOLERANCE};
 use crate::jog::chance::{self, Truth};
 use crate::jog::help;
 use crate::jog::mask::key;
 use crate::jog::script::{Command, Line, Way, Wrong, read};
 use crate::jog::values::Values;
 use crate::jog::{Input, Point, Session, State, measures};
-use crate::machine::{Machine, MotionKind, Setup, Step, Stop};
+use crate::machine::{Machine, MotionKind, Setup, Sim, Step, Stop};
 use crate::message::Message;
+use crate::range::Range;
+use crate::run::is_length;
 use serde::Serialize;
 
 /// What a script did.
@@ -223,8 +226,8 @@ pub(super) fn raised(session: &Session, stop: &Stop) -> Raised {
 
 pub(super) fn changed(control: &Control, step: &Step) -> Option<Change> {
     let Step::Set { name, before, after } = step else { return None };
-    // user data stand in the unit of the machine, tools and frames in mm
-    let factor = if gud::named(name).is_some() { control.basic_factor() } else { 1.0 };
+    // calibrated values stand in the unit of the machine, tools and frames in mm
+    let factor = if gud::named(name).is_some() && is_length(name) { control.basic_factor() } else { 1.0 };
     Some(Change::of(control, name.clone(), before * factor, after * factor)).filter(|_| before != after)
 }
 
@@ -298,10 +301,20 @@ fn travel(session: &mut Session, axes: &[(usize, f64)], way: Way) -> Result<(), 
                 }
                 _ => measuring.along(sim.position, *axis, *value, way == Way::By),
             };
-            sim.travel_machine(Mcs(to.0), None, MotionKind::Rapid, 0.0, false)?;
+            withdrawing(sim, Mcs(to.0), |sim| sim.travel_machine(Mcs(to.0), None, MotionKind::Rapid, 0.0, false))?;
         }
         Ok(())
     })
+}
+
+/// Moves; what reaches into something already is drawn out of it along itself, whatever it meets there.
+fn withdrawing<T>(sim: &mut Sim, to: Mcs, go: impl FnOnce(&mut Sim) -> T) -> T {
+    let (from, axis) = (sim.position, sim.tool_axis());
+    let along = (0..3).all(|other| other == axis || (to[other] - from[other]).abs() <= TOLERANCE);
+    sim.still = along && to[axis] > from[axis] && sim.reaches_in();
+    let outcome = go(sim);
+    sim.still = false;
+    outcome
 }
 
 /// Writes a datum of the control, or a value of a tool or a frame.
@@ -319,20 +332,50 @@ fn set(session: &mut Session, name: &str, value: f64) -> Result<(), Message> {
     Ok(())
 }
 
-/// Why a datum of the user cannot have a value; none: it can, or nothing says so.
+/// What a datum can be.
+struct Permitted<'a> {
+    range: Range,
+    choices: &'a [i64],
+    whole: bool,
+}
+
+/// What the tables say of a datum of the user, of the machine or of ours; none: they say nothing.
+fn permitted(name: &str) -> Option<Permitted<'static>> {
+    let of = |choices: &'static [i64]| Some(Permitted { range: Range::ANY, choices, whole: false });
+    if let Some((gud, at)) = gud::place(name) {
+        let element = gud.element(&at)?;
+        if gud.kind == gud::Kind::Bool {
+            return of(&[0, 1]);
+        }
+        let whole = gud.kind == gud::Kind::Integer;
+        return Some(Permitted { range: element.range, choices: element.choices, whole });
+    }
+    match name {
+        FORMS | OLDER_JOG => return of(&[0, 1]),
+        GENERATION => return of(&[0, 1, 2, 3]),
+        _ => {}
+    }
+    let mut data = MACHINE_DATA.iter().filter(|datum| name.starts_with(datum.number));
+    let datum = data.find(|datum| datum.names().iter().any(|known| known == name))?;
+    if datum.number == BASIC_SYSTEM {
+        return of(&[0, 1]);
+    }
+    Some(Permitted { range: datum.range(), choices: &[], whole: datum.is_whole() })
+}
+
+/// Why a datum cannot have a value; none: it can, or nothing says so.
 fn cannot_be(name: &str, value: f64) -> Option<Message> {
-    let (gud, at) = gud::place(name)?;
-    let element = gud.element(&at)?;
-    let range = element.range;
-    let key = match element.choices {
-        _ if gud.kind == gud::Kind::Integer && value.fract() != 0.0 => "jog-datum-whole",
-        _ if element.takes(value) => return None,
+    let Permitted { range, choices, whole } = permitted(name)?;
+    let chosen = choices.is_empty() || choices.iter().any(|choice| *choice as f64 == value);
+    let key = match choices {
+        [] if whole && value.fract() != 0.0 => "jog-datum-whole",
+        _ if range.contains(value) && chosen => return None,
         [] if range.max.is_finite() => "jog-datum-range",
         [] if range.min_included => "jog-datum-least",
         [] => "jog-datum-above",
         _ => "jog-datum-choice",
     };
-    let choices: Vec<String> = element.choices.iter().map(i64::to_string).collect();
+    let choices: Vec<String> = choices.iter().map(i64::to_string).collect();
     let message = Message::new(key).text("name", name).number("value", value).text("choices", choices.join(", "));
     let ends = [("min", range.min), ("max", range.max)].into_iter().filter(|(_, end)| end.is_finite());
     Some(ends.fold(message, |message, (end, value)| message.number(end, value)))

@@ -23,6 +23,7 @@ pub mod states;
 pub mod stylus;
 mod tools;
 pub mod touching;
+mod upright;
 pub mod values;
 
 pub use calculate::{Outcome, Point, Unfit, calculate, corner_sides};

@@ -38,6 +38,12 @@ pub fn choices(control: &Control, turned: bool) -> Vec<String> {
     std::iter::once(NONE.to_owned()).chain(stores.map(|store| name(control, store))).collect()
 }
 
+/// The settable frames that are taken although none is offered, as long as they hold nothing: `G505…G599`.
+pub fn others(control: &Control) -> String {
+    let name = |number: usize| control.make().settable_name(number);
+    format!("{}…{}", name(5), name(*SETTABLE.end()))
+}
+
 /// The basic reference, with `_JM_I[5]` = 1 the basic frames too; global ones take no rotation (B:1971, B:2770-2781).
 /// Up to SW 6.2 the last channel basic frame, with `_JM_B[4]` = 1 the basic reference instead (A:2948-2954).
 fn basic(control: &Control, turned: bool) -> Vec<Store> {
@@ -70,6 +76,16 @@ pub enum Correction {
     Rotary(usize, Degrees),
 }
 
+impl Correction {
+    /// What gets its set position.
+    pub fn place(&self) -> Option<&Measured> {
+        match self {
+            Correction::Place(place) | Correction::Turn(_, Some(place)) => Some(place),
+            Correction::Turn(_, None) | Correction::Rotary(..) => None,
+        }
+    }
+}
+
 /// How a frame is turned.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Turn {
@@ -92,6 +108,23 @@ pub enum Turn {
 fn target(control: &Control, store: Store) -> Target {
     let without_settable = settings::older(control) && matches!(store, Store::ChannelBasic(_));
     Target { store, without_settable, activate: false }
+}
+
+/// The control once a zero offset that was corrected is right: it is active.
+pub fn in_effect(control: &Control, store: Store) -> Control {
+    let mut control = control.clone();
+    let settable = match store {
+        Store::Settable(number) => number,
+        _ if target(&control, store).without_settable => 0,
+        _ => control.settable,
+    };
+    control.activate(settable);
+    control
+}
+
+/// Whether a zero offset has a scale factor, of which no measurement makes anything (61310, B:744), active or not.
+pub fn scaled(control: &Control, store: Store) -> bool {
+    zero_offset::scaled(control, &target(control, store))
 }
 
 /// What writes a correction into a frame.

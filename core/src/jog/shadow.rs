@@ -2,10 +2,10 @@
 //! It measures from the same places of the part, so what differs is how well the part was found.
 
 use super::chance::Truth;
-use super::offset::{Correction, Turn};
+use super::offset::{self, Correction, Turn};
 use super::session::Session;
 use super::states::State;
-use crate::control::{AXES, Control, Store};
+use crate::control::{AXES, Control};
 use crate::evaluate::zero_offset::Measured;
 use crate::geometry::{Degrees, Mcs, V3, Wcs};
 use crate::machine::Setup;
@@ -65,26 +65,23 @@ impl Shadow {
     pub fn deviation(&self, session: &Session) -> Option<Deviation> {
         let (store, wrote) = (session.chosen()?, session.outcome().correction.as_ref()?);
         let known = self.session.outcome().correction.as_ref().filter(|_| !self.lost)?;
-        let (place, nominal, level) = match (wrote, known) {
-            (Correction::Place(place), Correction::Place(nominal)) => (Some(place), Some(nominal), false),
-            (Correction::Turn(turn, place), Correction::Turn(_, nominal)) => {
-                (place.as_ref(), nominal.as_ref(), matches!(turn, Turn::Level(_)))
-            }
-            _ => return None,
+        let level = match wrote {
+            Correction::Rotary(..) => return None,
+            Correction::Turn(turn, _) => matches!(turn, Turn::Level(_)),
+            Correction::Place(_) => false,
         };
-        let [have, want] = [session, &self.session].map(|one| with(&one.sim.control, store));
+        let [have, want] = [session, &self.session].map(|one| offset::in_effect(&one.sim.control, store));
         let plane = have.plane.axes();
         let wanted = |at: Wcs| V3::from(self.truth.moved(&self.setup, want.to_machine(at), false));
         let zero = wanted(Wcs([0.0; 3]));
         let axes: [V3; 3] = std::array::from_fn(|axis| (wanted(Wcs(unit(axis))) - zero).normalize());
-        let lengths = match (place, nominal) {
-            (Some(place), Some(nominal)) => {
-                let off = V3::from(have.to_machine(Wcs(place.set))) - wanted(Wcs(nominal.set));
-                let measured = (0..3).filter(|axis| place.axes[*axis]);
-                measured.map(|axis| (AXES[axis], off.dot(&axes[axis]))).collect()
-            }
-            _ => Vec::new(),
-        };
+        let place = wrote.place();
+        let pair = place.zip(session.measured_at()).zip(known.place().zip(self.session.measured_at()));
+        let lengths = pair.map_or(Vec::new(), |((place, at), (nominal, there))| {
+            let found = V3::from(have.to_machine(put(&have, at, place)));
+            let off = found - wanted(put(&want, there, nominal));
+            (0..3).filter(|axis| place.axes[*axis]).map(|axis| (AXES[axis], off.dot(&axes[axis]))).collect()
+        });
         let direction = |axis: usize| direction(&have, axis);
         let [abscissa, ordinate, applicate] = plane;
         let angles = if level {
@@ -116,13 +113,9 @@ fn in_plane([abscissa, ordinate, _]: [usize; 3]) -> impl Fn(&Measured) -> bool {
     move |measured| measured.axes[abscissa] || measured.axes[ordinate]
 }
 
-/// The control with a zero offset active.
-fn with(control: &Control, store: Store) -> Control {
-    let mut control = control.clone();
-    let settable = match store {
-        Store::Settable(number) => number,
-        _ => control.settable,
-    };
-    control.activate(settable);
-    control
+/// A place of the machine in the WCS, with the set positions of what was measured there: the set positions alone are
+/// no place, because what was not measured has another coordinate in each zero offset.
+fn put(control: &Control, at: Mcs, measured: &Measured) -> Wcs {
+    let seen = control.to_workpiece(at);
+    Wcs(std::array::from_fn(|axis| if measured.axes[axis] { measured.set[axis] } else { seen[axis] }))
 }

@@ -5,11 +5,11 @@ use super::evaluate::{self, Chord, Flat, Found, Size};
 use super::mask::Element;
 use super::settings::Settings;
 use super::stylus::{Stylus, Touch};
-use crate::catalogue::sinumerik::{calibrated_as::Used, measuring_block::follow, state};
+use crate::catalogue::sinumerik::{calibrated_as::Used, measuring_block::followed, state};
 use crate::control::{Control, MachineSort};
 use crate::diagnostic::Code;
-use crate::geometry::{Degrees, Dir, TOLERANCE, Wcs};
-use crate::machine::{Machine, MotionKind, Stop};
+use crate::geometry::{Degrees, Dir, TOLERANCE, V3, Wcs};
+use crate::machine::{Machine, MotionKind, Step, Stop};
 use crate::message::Message;
 
 /// Pulled back between the fast and the slow touch, mm (B:13772).
@@ -22,6 +22,51 @@ pub struct Touching {
     pub settings: Settings,
     /// What the control knows of the probe.
     pub stylus: Stylus,
+}
+
+/// How the axes of the plane lie in the machine. The cycles turn the spindle with a WCS that turns about the applicate
+/// alone (B:13979-13981); in JOG the manual knows no such limit (B:14304), so that of a tilted one it follows as far as
+/// it can, seen along the spindle.
+struct Lies {
+    /// Indices of abscissa and ordinate.
+    plane: [usize; 2],
+    /// Their directions in the machine, not mirrored: the data of the probe take the other direction there.
+    axes: [V3; 2],
+}
+
+impl Lies {
+    fn of(control: &Control) -> Lies {
+        let [abscissa, ordinate, _] = control.plane.axes();
+        let plane = [abscissa, ordinate];
+        let axes = plane.map(|axis| {
+            let sense = if control.mirrored(axis) { -1.0 } else { 1.0 };
+            V3::from(control.direction_to_machine(V3::ith(axis, sense).into()))
+        });
+        Lies { plane, axes }
+    }
+
+    /// The turn about the spindle that is nearest to how they lie; none: there is none, they stand across it.
+    fn heading(&self) -> Option<Degrees> {
+        let ([first, second], [abscissa, ordinate]) = (self.plane, self.axes);
+        let (cosine, sine) = (abscissa[first] + ordinate[second], abscissa[second] - ordinate[first]);
+        (cosine.hypot(sine) > TOLERANCE).then(|| Degrees::of(sine.atan2(cosine)))
+    }
+
+    /// How much of the skew of a probe no turn of the spindle brings into the plane, mm.
+    fn left(&self, control: &Control, field: i64) -> f64 {
+        let [first, second] = self.plane;
+        let (sine, cosine) = self.heading().unwrap_or(Degrees(0.0)).sin_cos();
+        let mut stands = [V3::zeros(); 2];
+        (stands[0][first], stands[0][second]) = (cosine, sine);
+        (stands[1][first], stands[1][second]) = (-sine, cosine);
+        let skew = [7, 8].map(|place| control.basic_length(&format!("_WP[{},{place}]", field - 1)));
+        (0..2).map(|place| (self.axes[place] - stands[place]) * skew[place]).sum::<V3>().norm()
+    }
+}
+
+/// A length with the decimals that JOG shows; none: they are 0.
+fn rounded(length: f64) -> Option<f64> {
+    Some((length * 1e4).round() / 1e4).filter(|length| *length > 0.0)
 }
 
 /// An alarm of the control.
@@ -41,8 +86,14 @@ impl Touching {
         fit(control, field, mono, calibrates).map_err(alarm)?;
         let stylus = if calibrates { Stylus::ideal(control) } else { Stylus::of(control, field, mono) };
         let turns = settings.follows && !mono && control.spindle_positions;
-        if let Some(angle) = turns.then(|| follow(control)).flatten() {
+        let lies = Lies::of(control);
+        let left = rounded(lies.left(control, field)).filter(|_| !mono && !calibrates);
+        if let Some(angle) = turns.then(|| lies.heading().map(|angle| followed(control, angle))).flatten() {
             machine.orient(angle);
+        }
+        if let Some(value) = left {
+            let message = Message::new("jog-skew-tilted").number("value", value);
+            machine.record(Step::Decision { message });
         }
         Ok(Touching { settings, stylus })
     }

@@ -87,7 +87,7 @@ impl Values {
     pub fn enter(&mut self, mask: &Mask, field: &'static Field, text: &str, control: &Control) -> Result<(), Message> {
         let text = text.trim();
         let value = match words(field, self, control) {
-            Some(words) => Value::Word(word(field, words, text, control)?),
+            Some(words) => Value::Word(word(field, words, text, self, control)?),
             None => Value::Number(number(field, text)?),
         };
         self.put(field.name, value);
@@ -126,15 +126,24 @@ pub fn words(field: &Field, values: &Values, control: &Control) -> Option<Vec<St
     })
 }
 
-fn word(field: &Field, words: Vec<String>, text: &str, control: &Control) -> Result<String, Message> {
+/// All words that a field takes, where those that it offers are not all.
+pub fn taken(field: &Field, values: &Values, control: &Control) -> Option<Vec<String>> {
+    let mut words = words(field, values, control)?;
+    if matches!(field.kind, Kind::Offset { .. }) {
+        words.push(offset::others(control));
+    }
+    Some(words)
+}
+
+fn word(field: &Field, words: Vec<String>, text: &str, values: &Values, control: &Control) -> Result<String, Message> {
     if let Kind::Offset { turned } = field.kind
         && let Some(store) = offset::named(control, &text.to_ascii_uppercase(), turned)
     {
         return Ok(offset::name(control, store));
     }
-    let known = words.join(", ");
     let found = words.into_iter().find(|word| word.eq_ignore_ascii_case(text));
-    found.ok_or_else(|| wrong_word(field.name, text, known))
+    let known = || taken(field, values, control).unwrap_or_default().join(", ");
+    found.ok_or_else(|| wrong_word(field.name, text, known()))
 }
 
 /// That a field takes other words, or has none.

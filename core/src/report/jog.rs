@@ -8,7 +8,7 @@ use crate::diagnostic::Code;
 use crate::jog::help::{Line, alarms as raised, cure, help};
 use crate::jog::mask::{Field, Kind, Least, Mask, Show, key};
 use crate::jog::practice::{machine, piece};
-use crate::jog::values::words as choices;
+use crate::jog::values::taken as choices;
 use crate::jog::{FUNCTIONS, Input, Session, masks};
 use crate::manual::Cited;
 use crate::message::Message;

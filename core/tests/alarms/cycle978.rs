@@ -40,6 +40,10 @@ fn own() -> Vec<Case> {
         case(62304, "", |setup| shifted(setup, 0.7)),
         case(62305, "", |setup| shifted(setup, -0.7)),
         case(62306, "", |setup| shifted(setup, 2.5)),
+        // G55 is not active
+        case(61310, "_MVAR=100 _KNUM=2", |setup| {
+            setup.control.frames.entry(2).or_default().scale = [2.0, 1.0, 1.0];
+        }),
         program(61321, "_MVAR=100 _KNUM=100"),
         program(61341, "_WP[0,1]=0 _WP[0,2]=0"),
         program(61325, "_MA=4"),

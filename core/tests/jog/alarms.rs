@@ -163,7 +163,7 @@ fn points_that_make_nothing_are_told() {
     let diameter = [("diameter", "20")];
     assert_eq!(told(&mut measured(&setup, "holes_3", &diameter, &places[..3])), "alarm-61316");
     assert_eq!(told(&mut measured(&setup, "holes_4", &diameter, &places)), "alarm-61368");
-    assert_eq!(told(&mut measured(&setup, "holes_2", &diameter, &[places[0], places[0]])), "alarm-61367");
+    assert_eq!(told(&mut measured(&setup, "holes_2", &diameter, &[places[0], places[0]])), "jog-same-centres");
 }
 
 // oracle: hand: what does not fit is told before anything moves
@@ -200,4 +200,36 @@ fn the_tool_that_is_measured_is_no_probe() {
     session.sim.position[2] = 60.0; // 10 mm above the tool probe
     session.carry_out(Input::Start).unwrap();
     assert_eq!((session.state(), session.stopped()), (State::Mask, None));
+}
+
+// oracle: manual B:744, A:15849; hand: G54 multiplies, whether it is active or not, so no zero point comes of what was
+// measured without it
+#[test]
+fn a_zero_offset_with_a_scale_factor_is_not_corrected() {
+    for measuring in [0.0, 1.0] {
+        let scaled = |setup: &mut Setup| {
+            setup.control.frames.entry(1).or_default().scale = [2.0, 1.0, 1.0];
+            setup.control.set("_JM_I[4]", measuring);
+        };
+        let mut setup = block();
+        scaled(&mut setup);
+        let mut session = Session::new(&setup);
+        open(&mut session, "set_edge", &[("zo", "G54"), ("x0", "10")]);
+        stand(&mut session, [-20.0, 40.0, -5.0]);
+        assert_eq!(alarm(&mut session), 61310);
+        assert_eq!(session.sim.control.frames[&1].coarse, [0.0; 3]);
+    }
+    // chosen behind the points
+    let mut setup = block();
+    setup.control.frames.entry(1).or_default().scale = [2.0, 1.0, 1.0];
+    let mut session = Session::new(&setup);
+    open(&mut session, "align_edge", &[("zo", "none"), ("axis", "X"), ("ref_axis", "Y")]);
+    for y in [20.0, 60.0] {
+        stand(&mut session, [-20.0, y, -5.0]);
+        session.carry_out(Input::Start).unwrap();
+    }
+    session.press(Input::Field("zo", "G54")).unwrap();
+    assert_eq!(told(&mut session), "alarm-61310");
+    session.press(Input::Field("zo", "G55")).unwrap();
+    session.press(Input::Calculate).unwrap();
 }

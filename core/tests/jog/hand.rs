@@ -185,12 +185,22 @@ fn data_that_cannot_be_are_refused() {
         ("_JM_B[2] = 7", "jog-datum-choice"),
         ("_JM_I[1] = -1", "jog-datum-least"),
         ("E_MESS_D_M = 0", "jog-datum-above"),
+        ("E_MESS_MT_DIR[0] = 0", "jog-datum-choice"),
+        ("_JM_B[5] = 0.5", "jog-datum-choice"),
+        ("E_MESS_SETT[9] = 0.5", "jog-datum-choice"),
+        ("PW-JOG = 0.5", "jog-datum-choice"),
+        ("PW-JOG = 2", "jog-datum-choice"),
+        ("PW-GENERATION = 4", "jog-datum-choice"),
+        ("MD10240 = 2", "jog-datum-choice"),
     ] {
         let view = told(&block(), &format!("set {line}\n"));
         assert_eq!(view.lines[0].refused.as_ref().unwrap().key, key, "{line}");
         assert!(view.lines[0].changes.is_empty());
     }
-    for line in ["_JM_I[4] = 99", "_JM_I[4] = 100", "_JM_I[3] = 18", "_JM_I[0] = 1", "E_MESS_D_M = 0.5"] {
+    for line in [
+        "_JM_I[4] = 99", "_JM_I[4] = 100", "_JM_I[3] = 18", "_JM_I[0] = 1", "E_MESS_D_M = 0.5",
+        "E_MESS_MT_DIR[0] = -2", "PW-JOG = 1",
+    ] {
         assert_eq!(told(&block(), &format!("set {line}\n")).lines[0].refused, None, "{line}");
     }
 }
@@ -201,4 +211,70 @@ fn a_machine_in_inches_says_that_jog_is_metric() {
     let told = |units: Units| jog_in_mm(&delivery_in(Dialect::Sinumerik, units)).is_some();
     assert_eq!([Units::Metric, Units::Inch].map(told), [false, true]);
     assert!(jog_in_mm(&practice::machine(Piece::Block).control).is_none());
+}
+
+// oracle: hand (B:14170-14172: the data of JOG are metric; numbers and flags have no unit)
+#[test]
+fn what_is_set_is_told_in_its_unit() {
+    for (name, value, unit) in [
+        ("PW-JOG", 1.0, ""),
+        ("MD20050[0]", 2.0, ""),
+        ("R1", 5.0, ""),
+        ("_JM_I[4]", 1.0, ""),
+        ("E_MESS_FM", 200.0, ""),
+        ("E_MESS_D_M", 40.0, "mm"),
+        ("$P_UIFR[1,X,TR]", 5.0, "mm"),
+        ("$P_UIFR[1,X,RT]", 5.0, "deg"),
+        ("$TC_DP1[9,1]", 120.0, ""),
+        ("$TC_DP3[9,1]", 51.0, "mm"),
+        ("_WP[0,0]", 5.9, "mm"),
+    ] {
+        let view = told(&block(), &format!("set {name} = {value}\n"));
+        let changes: Vec<_> =
+            view.lines[0].changes.iter().map(|one| (one.name.as_str(), one.after, one.unit)).collect();
+        assert_eq!(changes, [(name, value, unit)]);
+    }
+    let mut setup = block();
+    setup.control = delivery_in(Dialect::Sinumerik, Units::Inch);
+    let view = told(&setup, "set E_MESS_D_M = 40\n");
+    assert_eq!((view.lines[0].changes[0].before, view.lines[0].changes[0].after), (50.0, 40.0));
+}
+
+// oracle: hand (as P-CHANGE of the sequence: else points of different meaning would be combined): another WCS of the
+// measurement, or another probe, rejects the stored points; what changes neither does not
+#[test]
+fn points_of_another_wcs_or_probe_are_rejected() {
+    let mut setup = block();
+    setup.control.frames.entry(1).or_default().rotation[2] = 4.0;
+    let edge = setup.control.tools[&9].edges[&1].clone();
+    setup.control.tools.entry(8).or_default().edges.insert(1, Edge { length: [60.0, 0.0, 0.0], ..edge });
+    let first = "mask align_edge\nzo = G55\naxis = X\nref_axis = Y\nmove machine X-20 Y20 Z-5\nstart\n";
+    for (line, rejects) in [
+        ("set _JM_I[4] = 1", true),
+        ("set _JM_I[4] = 0", false),
+        ("set $P_UIFR[0,Y,TR] = 3", true),
+        ("set $P_UIFR[2,Y,TR] = 3", false),
+        ("set $P_SETFR[Z,RT] = 1", true),
+        ("set _WP[0,1] = 2.9", true),
+        ("set E_MESS_D_M = 40", false),
+        ("set _JM_I[3] = 18", true),
+        ("axis = Y", true),
+        ("tool T8", true),
+    ] {
+        let view = told(&setup, &format!("{first}{line}\n"));
+        let last = view.lines.last().unwrap();
+        assert_eq!((last.refused.as_ref(), last.state), (None, State::Mask), "{line}");
+        let told: Vec<&str> = last.notes.iter().map(|note| note.key.as_ref()).collect();
+        assert_eq!(told, if rejects { &["jog-rejected"][..] } else { &[] }, "{line}");
+        assert_eq!(last.plc[4], !rejects, "{line}");
+    }
+    // all stored, then the WCS changes: Calculate is gone
+    let view = told(&setup, &format!("{first}jog Y40\nstart\nset _JM_I[4] = 1\ncalculate\n"));
+    assert_eq!(view.lines.last().unwrap().refused.as_ref().unwrap().key, "jog-missing");
+    // one that waits to be stored by hand is none
+    let older = "set PW-JOG = 1\nmask old_corner\nmove machine X20 Y-20 Z-5\nstart\nset _JM_I[4] = 1\nstore P1\n";
+    let view = told(&setup, older);
+    let [.., changed, stored] = &view.lines[..] else { unreachable!() };
+    assert_eq!(changed.notes[0].key, "jog-rejected");
+    assert_eq!(stored.refused.as_ref().unwrap().key, "jog-older-order");
 }

@@ -6,6 +6,7 @@ use probewright_core::control::Plane;
 use probewright_core::dialect::Dialect;
 use probewright_core::jog::{Input, Session};
 use probewright_core::machine::Setup;
+use probewright_core::words::Words;
 
 /// Why the last line of a script does nothing on the block.
 fn refused(script: &str) -> String {
@@ -27,6 +28,10 @@ fn refused(script: &str) -> String {
 const READY: &str = "mask align_edge\naxis = X\nref_axis = Y\nmove machine X-20 Y20 Z-5\nstart\njog Y40\nstart\n";
 /// The corner up to SW 6.2, its first point touched.
 const CORNER: &str = "set PW-JOG = 1\nmask old_corner\nmove machine X20 Y-20 Z-5\nstart\n";
+
+/// All four stored.
+const STORED: &str = "set PW-JOG = 1\nmask old_corner\nmove machine X20 Y-20 Z-5\nstart\nstore P1\njog X40\nstart\nstore P2\n\
+                      jog X-80\njog Y40\nstart\nstore P3\njog Y30\nstart\nstore P4\n";
 
 // oracle: manual B:3034-3088, B:3684-3688, B:3722-3736 (what counts when), A:3188-3200 (up to SW 6.2); hand for the
 // rest
@@ -61,6 +66,7 @@ fn what_does_nothing_is_told() {
         (CORNER, "calculate", "jog-missing"),
         (CORNER, "store P2", "jog-older-order"),
         (CORNER, "reject P1", "jog-older-reject"),
+        (STORED, "start", "jog-older-stored"),
     ] {
         assert_eq!(refused(&format!("{before}{line}")), key, "{line}");
     }
@@ -95,4 +101,14 @@ fn keys_that_a_script_does_not_press_are_told() {
     assert_eq!(session.press(Input::Start).unwrap_err().key, "jog-pending");
     let nct = Setup::calibrated(Dialect::Nct, Plane::G17);
     assert!(matches!(jog("start", &nct, None), Err(JogWrong::Machine(message)) if message.key == "jog-no-jog"));
+}
+
+// oracle: self: what a field takes is what the refusal and the list of masks name
+#[test]
+fn zero_offsets_that_are_not_offered_are_named() {
+    let view = jog("mask set_edge\nzo = G505\nzo = G600\n", &block(), None).unwrap();
+    assert_eq!(view.lines[1].refused, None);
+    let refused = view.lines[2].refused.as_ref().unwrap();
+    let told = Words::english().text(refused);
+    assert!(told.contains("G57") && told.contains("G505…G599"), "{told}");
 }

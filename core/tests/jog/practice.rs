@@ -2,10 +2,12 @@
 //! from where the part lies.
 
 use super::near;
-use probewright_core::app::{JogAhead, PartSliders, PracticeFace, PracticeRequest, PracticeView, approach, practise};
+use probewright_core::app::{
+    JogAhead, PartSliders, PracticeFace, PracticeRequest, PracticeView, approach, jog, practise,
+};
 use probewright_core::dialect::Dialect;
 use probewright_core::geometry::Degrees;
-use probewright_core::jog::practice::{Piece, piece};
+use probewright_core::jog::practice::{self, Piece, piece};
 use probewright_core::jog::{State, masks};
 
 fn asked(piece: Piece, script: &str) -> PracticeRequest {
@@ -60,6 +62,37 @@ fn what_is_left_of_the_angle_is_told() {
         assert_eq!(view.truth.seed, u64::from(seed));
         let found = view.deviation.unwrap().figures;
         assert!(found.iter().all(|one| one.value.abs() < 0.1), "{seed}: {found:?}");
+    }
+}
+
+// oracle: definition: how far what is written is from where the part lies does not depend on what was written before,
+// nor on the zero offset in which was measured
+#[test]
+fn the_mark_does_not_depend_on_the_zero_offset_before() {
+    let part = PartSliders { dx: 1.5, dy: -0.7, tilt: Degrees(2.0), ..PartSliders::default() };
+    let edge = "mask set_edge\nzo = G54\nx0 = 4\nmove machine Z-8\nstart\n";
+    let other = "mask set_edge\nzo = G54\naxis = Y\nmove machine Y-25\nmove machine X50\nmove machine Z-8\nstart\n";
+    let hole = "mask hole_1\nzo = G54\ndiameter = 40\nmove machine Z-10\nstart\n";
+    let corner = CORNER.replace("move ", "move machine ");
+    let pieces = [(Piece::Block, edge), (Piece::Block, other), (Piece::Hole, hole), (Piece::Block, &corner)];
+    for (piece, script) in pieces {
+        let marks = [([0.0; 3], 0), ([0.0; 3], 1), ([-20.0, 15.0, 10.0], 0), ([300.0, -200.0, 50.0], 0)];
+        let marks = marks.map(|(shift, measuring)| {
+            let set: Vec<String> = ["X", "Y", "Z"]
+                .into_iter()
+                .zip(shift)
+                .map(|(axis, value)| format!("set $P_UIFR[1,{axis},TR] = {value}\n"))
+                .collect();
+            let script = format!("{}set _JM_I[4] = {measuring}\n{script}", set.concat());
+            let view = seen(PracticeRequest { part: Some(part), ..asked(piece, &script) });
+            assert_eq!((view.raised, view.refused), (None, None), "{script}");
+            view.deviation.unwrap().figures.iter().map(|one| (one.axis, one.value)).collect::<Vec<_>>()
+        });
+        for mark in &marks {
+            assert_eq!(mark.len(), marks[0].len());
+            mark.iter().zip(&marks[0]).for_each(|(one, first)| near(one.1, first.1, &format!("{script}: {}", one.0)));
+            mark.iter().filter(|one| one.0 != "Z").for_each(|one| assert!(one.1.abs() < 0.02, "{script}: {marks:?}"));
+        }
     }
 }
 
@@ -281,4 +314,30 @@ fn what_cannot_be_reached_is_told() {
     ] {
         assert_eq!(faced(piece, script, at, normal), Err(key.to_owned()), "{piece:?} {at:?}");
     }
+}
+
+// oracle: hand: the tool probe is a cube of 20 mm with its upper face at Z 50; T1 with its 80 mm stands over it at Z 60,
+// where T2 with its 95 mm, of which the data know 94.8, would be 5 mm in it
+#[test]
+fn a_tool_is_not_taken_where_there_is_no_room() {
+    let before = "tool T1\nmove machine Z60\n";
+    let view = seen(asked(Piece::Probe, &format!("{before}tool T2 D1\n")));
+    let refused = view.refused.unwrap();
+    assert_eq!((refused.line, refused.message.key.as_ref()), (3, "jog-tool-room"));
+    near(view.machine.mcs[2], 60.0, "Z");
+    let view = seen(asked(Piece::Probe, &format!("{before}move machine Z70\ntool T2 D1\n")));
+    assert_eq!((view.refused, view.raised), (None, None));
+    near(view.machine.mcs[2], 55.2, "Z");
+    // who stands in it all the same gets out upwards, and nowhere else
+    let mut setup = practice::machine(Piece::Probe);
+    setup.control.tool = 2;
+    setup.position.0[2] = 40.0;
+    let raised = |script: &str| {
+        let view = jog(script, &setup, None).unwrap();
+        let line = view.lines.last().unwrap();
+        (line.raised.is_some(), line.position[2])
+    };
+    assert_eq!(raised("jog Z20\n"), (false, 60.0));
+    assert_eq!(raised("jog X5\n"), (true, 40.0));
+    assert_eq!(raised("jog Z-5\n"), (true, 40.0));
 }

@@ -162,14 +162,19 @@ fn example_2_comes_out_as_printed() {
 
 /// A machine with a swivel table of the axes A and B, a plane on it that leans as example 2 prints it.
 fn on_a_swivel_table() -> (Setup, [[f64; 3]; 3]) {
+    on_a_table(&["A", "B"])
+}
+
+/// The same with a table of these axes, beside C, the fourth axis as delivered.
+fn on_a_table(axes: &[&str]) -> (Setup, [[f64; 3]; 3]) {
     let printed = ["E2-rx", "E2-ry", "E2-rz"].map(figure);
     let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
     let mut part = Solid::new(Shape::Block { size: [200.0, 200.0, 40.0] }, Mcs([30.0, -20.0, 10.0]));
     part.rotation = Rpy(printed);
     setup.workpiece.solids.push(part);
     setup.probe.stylus = Some(0.0);
-    for (place, axis) in ["A", "B"].into_iter().enumerate() {
-        let named = Datum::Text(axis.to_owned());
+    for (place, axis) in axes.iter().enumerate() {
+        let named = Datum::Text((*axis).to_owned());
         setup.control.data.insert(format!("MD20080[{}]", 4 + place), named);
         setup.control.set(format!("MD30300[{}]", 4 + place), 1.0);
     }
@@ -237,6 +242,31 @@ fn the_probe_is_set_perpendicular_to_the_plane() {
     }
     session.press(Input::Calculate).unwrap();
     session.outcome().results.iter().for_each(|(name, value)| near(*value, 0.0, name));
+}
+
+// oracle: hand: of A or B with C one leans the plane, the other turns it before, until it lies across the probe; the
+// WCS keeps a turn about it, and measured again the plane is level
+#[test]
+fn a_table_of_two_axes_sets_the_probe_perpendicular() {
+    for axis in ["A", "B"] {
+        let (setup, places) = on_a_table(&[axis]);
+        let mut session = plane_measured(&setup, places);
+        assert_eq!(session.activation().unwrap().fields(), ["activate", "orient", "retract"], "{axis}");
+        session.carry_out(Input::Start).unwrap();
+        assert_eq!(session.state(), State::Mask, "{axis}: {:?}", session.stopped());
+        let up = session.sim.control.direction_to_machine(V3::z().into());
+        (0..3).for_each(|one| near(up[one], f64::from(u8::from(one == 2)), axis));
+        for place in [[0.0, 0.0, 70.0], [30.0, 0.0, 70.0], [0.0, 30.0, 70.0]] {
+            session.sim.position = Mcs(place);
+            session.carry_out(Input::Start).unwrap();
+            assert_ne!(session.state(), State::Alarm, "{axis}: {:?}", session.stopped());
+        }
+        session.press(Input::Calculate).unwrap();
+        session.outcome().results.iter().for_each(|(name, value)| near(*value, 0.0, name));
+    }
+    // C alone leans nothing
+    let (setup, places) = on_a_table(&[]);
+    assert_eq!(plane_measured(&setup, places).activation().unwrap().fields(), ["activate"]);
 }
 
 // oracle: hand: what turns into the probe that was not retracted stops

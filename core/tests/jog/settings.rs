@@ -2,8 +2,10 @@
 
 use super::{block, near, open, stand};
 use probewright_core::control::Plane;
+use probewright_core::geometry::{Mcs, Wcs};
 use probewright_core::jog::{Input, Session, State};
 use probewright_core::machine::{MotionKind, Setup, Step};
+use probewright_core::message::Arg;
 
 /// Set edge in X before the left face of the block, on a machine with these data.
 fn measured(data: &[(&str, f64)]) -> Session {
@@ -126,5 +128,39 @@ fn the_spindle_follows_a_rotation() {
         assert_eq!(session.state(), State::Mask, "{:?}", session.stopped());
         near(session.outcome().results[0].1, -50.0, "edge");
         near(session.sim.control.spindle.0, spindle, "spindle");
+    }
+}
+
+// oracle: manual B:14304 (no limit, other than B:13979-13981 for the cycles); hand: the WCS is turned by 3 degree about
+// the spindle, then by 10 about its ordinate; of the skew of 0.2 mm along the abscissa 0.4 mm * sin 5 is left, and
+// 0.2 mm * (1 - cos 10) of it along the abscissa
+#[test]
+fn the_spindle_follows_a_tilted_wcs_and_what_is_left_is_told() {
+    for (lean, left) in [(0.0, None), (10.0, Some(0.0349))] {
+        let mut setup = block();
+        setup.control.set("_JM_I[4]", 1.0);
+        setup.control.frames.entry(1).or_default().rotation.0 = [0.0, lean, 3.0];
+        setup.workpiece.solids[0].rotation.0 = [0.0, lean, 3.0];
+        setup.workpiece.solids[0].at = Mcs([0.0; 3]);
+        setup.probe.skew = [0.2, -0.1];
+        setup.probe.stylus = Some(0.0);
+        for (place, value) in [(1, 2.8), (2, -3.2), (3, 3.1), (4, -2.9), (7, 0.2), (8, -0.1)] {
+            setup.control.set(format!("_WP[0,{place}]"), value);
+        }
+        let mut session = Session::new(&setup);
+        open(&mut session, "set_edge", &[]);
+        let mut active = session.sim.control.clone();
+        active.activate(1);
+        session.sim.position = active.to_machine(Wcs([-80.0, 0.0, -15.0]));
+        session.carry_out(Input::Start).unwrap();
+        assert_eq!(session.state(), State::Mask, "{:?}", session.stopped());
+        near(session.sim.control.spindle.0, 357.0, "spindle");
+        let off = (session.outcome().results[0].1 + 50.0).abs();
+        assert!(off < 0.2 * (1.0 - f64::cos(lean.to_radians())) + 1e-6, "{lean}: {off}");
+        let told = session.sim.trace.entries.iter().find_map(|entry| match entry.step {
+            Step::Decision { message } if message.key == "jog-skew-tilted" => Some(message.args),
+            _ => None,
+        });
+        assert_eq!(told, left.map(|left| vec![("value", Arg::Number(left))]), "{lean}");
     }
 }

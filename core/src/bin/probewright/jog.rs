@@ -9,7 +9,7 @@ use probewright_core::app::{
 use probewright_core::control::{AXES, Control, OLDER_JOG, delivery};
 use probewright_core::dialect::Dialect;
 use probewright_core::jog::mask::{Field, Mask, decimals, key};
-use probewright_core::jog::values::{Values, words as choices};
+use probewright_core::jog::values::{Values, taken as choices};
 use probewright_core::jog::{State, masks};
 use probewright_core::json;
 use probewright_core::machine::Setup;

@@ -19,9 +19,15 @@ pub fn tool_target(machine: &mut dyn Machine, inputs: &Inputs, axis: Option<usiz
     tool_offset::target(machine.control(), &names).map_err(|number| alarm(machine, number))
 }
 
-/// Finds the frame that a zero offset corrects. None: `_KNUM` = 0.
+/// Finds the frame that a zero offset corrects. None: `_KNUM` = 0. One with a scale factor is refused, active or not:
+/// what is measured without the factor would come out multiplied in it (B:744, A:15849).
 pub fn zero_target(machine: &mut dyn Machine, inputs: &Inputs) -> Result<Option<zero_offset::Target>, Stop> {
-    zero_offset::target(machine.control(), inputs.integer(names::KNUM)).map_err(|number| alarm(machine, number))
+    let control = machine.control();
+    let target = zero_offset::target(control, inputs.integer(names::KNUM)).map_err(|number| alarm(machine, number))?;
+    match target {
+        Some(target) if zero_offset::scaled(machine.control(), &target) => Err(alarm(machine, 61310)),
+        target => Ok(target),
+    }
 }
 
 /// Corrects a tool by a difference; the amount entered, mm. A length is shortened by a positive difference.

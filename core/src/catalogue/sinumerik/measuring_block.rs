@@ -7,7 +7,7 @@ mod positioning;
 mod prepare;
 mod ray;
 
-pub use prepare::follow;
+pub use prepare::{follow, followed};
 pub use ray::Ray;
 
 use crate::catalogue::prelude::*;

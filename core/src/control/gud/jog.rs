@@ -59,7 +59,7 @@ pub(super) const SETTINGS: &[Gud] = &[
     gud7("E_MESS_MT_DL", Real, &[3]).elements(&[element("k", "B:14193").unit(MM).not_negative()]),
     gud7("E_MESS_MT_DR", Real, &[3]).elements(&[element("k", "B:14194").unit(MM).not_negative()]),
     gud7("E_MESS_MT_DZ", Real, &[3]).elements(&[element("k", "B:14195").initial(2.0).unit(MM).not_negative()]),
-    gud7("E_MESS_MT_DIR", Integer, &[3]).elements(&[element("k", "B:14196").initial(-1.0).between(-2.0, 2.0)]),
+    gud7("E_MESS_MT_DIR", Integer, &[3]).elements(&[element("k", "B:14196").initial(-1.0).choices(&[-2, -1, 1, 2])]),
     gud7("E_MESS_MT_D", Real, &[]).elements(&[element("", "B:14197").initial(10.0).unit(MM).positive()]),
     gud7("E_MESS_MT_FM", Real, &[]).elements(&[element("", "B:14198").initial(100.0).unit(MM_MIN).positive()]),
     gud7("E_MESS_MT_CF", Integer, &[]).elements(&[element("", "B:14199").choices(&[0, 1, 2])]),

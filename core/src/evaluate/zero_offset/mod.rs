@@ -40,6 +40,13 @@ pub(crate) fn target(control: &Control, code: i64) -> Result<Option<Target>, u32
     }))
 }
 
+/// Whether a frame that is corrected has a scale factor, or one that is active as soon as it is right: then it could
+/// not be measured in it again, and what was measured in another one would come out multiplied.
+pub fn scaled(control: &Control, target: &Target) -> bool {
+    let settable = target.without_settable.then(|| control.stored_frame(Store::Settable(0)));
+    std::iter::once(control.stored_frame(target.store)).chain(settable).any(|frame| frame.scaled())
+}
+
 /// Whether the control has the system frame that `_KNUM` = 2000 means (MD28082 bit 0, B:1977-1986).
 pub fn system_frame(control: &Control) -> bool {
     control.machine_bit("MD28082", 0)

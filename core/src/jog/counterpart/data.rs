@@ -2,6 +2,7 @@
 //! datum, told where it makes a difference (the pairs of B:14157-14368 beside B:13534-13884).
 
 use super::Told;
+use crate::catalogue::sinumerik::measuring_block::follow;
 use crate::jog::mask::Task;
 use crate::jog::settings::Settings;
 use crate::message::Message;
@@ -117,7 +118,14 @@ impl Told<'_> {
                 Jog::Always(_) => message,
             }
         };
-        ROWS.iter().filter(differs).map(told).chain(self.feeds()).collect()
+        ROWS.iter().filter(differs).map(told).chain(self.feeds()).chain(self.tilted()).collect()
+    }
+
+    /// In a tilted WCS the spindle of the cycle stays, that of JOG follows (B:13979-13981, B:14304).
+    fn tilted(&self) -> Option<Message> {
+        let both = self.control.bit("_CHBIT[13]") && Settings::of(&self.control).follows;
+        let tilted = both && self.concerns(Of::Multi) && follow(&self.control).is_none();
+        tilted.then(|| Message::new("jog-differs-tilted"))
     }
 
     /// The feeds between the points, where the cycle watches the way too (B:13732-13733, B:14258-14259).

@@ -2,25 +2,77 @@
 
 use super::{Input, Session};
 use crate::catalogue::alarms;
-use crate::control::MachineSort;
+use crate::control::{Control, Frame, MachineSort};
 use crate::diagnostic::Code;
-use crate::geometry::{Degrees, Mcs};
+use crate::geometry::{Degrees, Dir, Mcs};
 use crate::jog::calculate::{self, Outcome, Point, Unfit};
 use crate::jog::counterpart::Taken;
 use crate::jog::evaluate::Size;
 use crate::jog::mask::{Mask, Task};
-use crate::jog::states::Key;
-use crate::jog::touching::Touching;
-use crate::jog::{calibrating, tools};
-use crate::machine::Stop;
+use crate::jog::settings::Settings;
+use crate::jog::states::{Key, State};
+use crate::jog::stylus::Stylus;
+use crate::jog::touching::{Touching, alarm};
+use crate::jog::{calibrating, offset, tools};
+use crate::machine::{Step, Stop};
 use crate::message::Message;
 
+/// In what points are touched: those of another WCS, or of another probe, make no measurement together.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct TouchedIn {
+    frames: Vec<Frame>,
+    stylus: Stylus,
+    length: Dir<Mcs>,
+}
+
+impl TouchedIn {
+    /// As a control stands.
+    fn of(control: &Control) -> TouchedIn {
+        let (field, mono) = Settings::of(control).probe;
+        let stylus = Stylus::of(control, field, mono);
+        TouchedIn { frames: control.chain().to_vec(), stylus, length: control.active_length() }
+    }
+}
+
 impl Session {
+    /// Rejects the points that were touched in another WCS than the next one would be, or with another probe.
+    pub(super) fn compare(&mut self) {
+        if self.stored() == 0 && !self.waits() {
+            return;
+        }
+        let mut control = self.sim.control.clone();
+        control.activate(self.measuring());
+        if self.touched_in.as_ref().is_some_and(|known| *known != TouchedIn::of(&control)) {
+            self.reject_all();
+        }
+    }
+
+    /// Rejects all points, stored or waiting, and tells which those are.
+    pub(super) fn reject_all(&mut self) {
+        let waits = self.waits().then(|| self.next());
+        let there = |(number, point): (usize, &Option<Point>)| point.is_some() || waits == Some(number);
+        let named = self.points.iter().enumerate().filter(|point| there(*point));
+        let named: Vec<String> = named.map(|(number, _)| format!("P{}", number + 1)).collect();
+        if !named.is_empty() && self.mask.is_some_and(|mask| !mask.at_once()) {
+            let message = Message::new("jog-rejected").text("points", named.join(", "));
+            self.sim.note(Step::Decision { message });
+        }
+        self.points.fill(None);
+        self.taken.fill(None);
+        self.measured = None;
+        self.touched_in = None;
+        if self.state == State::Ready {
+            self.state = State::Mask;
+        }
+    }
+
     /// The zero offset of the set-up becomes active, as its plane is (B:2748-2752).
     pub(super) fn begin(&mut self) {
         self.take_plane();
+        self.compare();
         let measuring = self.measuring();
         self.sim.control.activate(measuring);
+        self.touched_in = Some(TouchedIn::of(&self.sim.control));
         self.measured = None;
         if self.mask.is_some_and(Mask::at_once) {
             self.points.fill(None);
@@ -65,6 +117,7 @@ impl Session {
 
     /// One point; none: the function stores what it found itself.
     pub(super) fn point(&mut self, mask: &Mask, number: usize) -> Result<Option<Point>, Stop> {
+        let target = self.chosen();
         let (values, sim) = (&self.values, &mut self.sim);
         match mask.task {
             Task::Length => return calibrating::length(sim, values.number("z0")).map(|()| None),
@@ -78,6 +131,9 @@ impl Session {
             _ => {}
         }
         let touching = Touching::prepare(sim, false)?;
+        if target.is_some_and(|store| offset::scaled(&sim.control, store)) {
+            return Err(alarm(61310));
+        }
         self.stylus = Some(touching.stylus);
         let [abscissa, ordinate, applicate] = touching.stylus.plane.axes();
         let (axis, sign) = match mask.task {
@@ -126,10 +182,18 @@ impl Session {
         let points: Vec<Point> =
             self.points.iter().copied().chain([self.measured.filter(|_| !mask.by_hand())]).flatten().collect();
         let told = |unfit| match unfit {
+            // the control's words speak of the points of an edge
+            Unfit::Alarm(61367) if matches!(mask.task, Task::Centres(_)) => Message::new("jog-same-centres"),
             Unfit::Alarm(number) => Message::new(alarms::key(Code::Alarm(number))),
             Unfit::Told(key) => Message::new(key),
         };
-        calculate::calculate(&self.sim.control, mask, &self.values, stylus, &points).map_err(told)
+        let outcome = calculate::calculate(&self.sim.control, mask, &self.values, stylus, &points);
+        // which zero offset is corrected can be chosen behind the points, too
+        let scaled = || self.chosen().is_some_and(|store| offset::scaled(&self.sim.control, store));
+        match outcome {
+            Ok(Outcome { correction: Some(_), .. }) if scaled() => Err(told(Unfit::Alarm(61310))),
+            outcome => outcome.map_err(told),
+        }
     }
 
     pub(super) fn reject(&mut self, input: Input) -> Result<(), Message> {

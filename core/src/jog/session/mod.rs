@@ -4,6 +4,7 @@
 mod measuring;
 mod writing;
 
+use self::measuring::TouchedIn;
 use super::activation::Activation;
 use super::calculate::{self, Outcome, Point};
 use super::counterpart::Taken;
@@ -75,6 +76,10 @@ pub struct Session {
     stylus: Option<Stylus>,
     /// What was measured last in this mask.
     outcome: Outcome,
+    /// Where in the machine that lies what got its set position.
+    measured_at: Option<Mcs>,
+    /// In what the stored points were touched.
+    touched_in: Option<TouchedIn>,
     /// The point that is being measured, and what it came to.
     measured: Option<Point>,
     activation: Option<Activation>,
@@ -101,6 +106,8 @@ impl Session {
             taken: Vec::new(),
             stylus: None,
             outcome: Outcome::default(),
+            measured_at: None,
+            touched_in: None,
             measured: None,
             activation: None,
             offered: None,
@@ -139,6 +146,11 @@ impl Session {
     /// What was measured last in this mask.
     pub fn outcome(&self) -> &Outcome {
         &self.outcome
+    }
+
+    /// Where in the machine that lies which got its set position by it.
+    pub fn measured_at(&self) -> Option<Mcs> {
+        self.measured_at
     }
 
     /// The activation screen.
@@ -288,7 +300,7 @@ impl Session {
             (Key::Start, State::Mask) if wrong.is_some() => wrong.map_or(Message::new("jog-refused"), |(_, why)| why),
             (Key::Start, State::Mask) if self.lacks_g500() => Message::new("jog-older-g500"),
             (Key::Start, State::Ready) => Message::new("jog-all-stored"),
-            (Key::Start, State::Mask) if self.kept_by_hand() => Message::new("jog-all-stored"),
+            (Key::Start, State::Mask) if self.kept_by_hand() => Message::new("jog-older-stored"),
             (Key::Start, State::Menu) => Message::new("jog-no-mask"),
             (Key::Mode, state) if state != State::Menu => Message::new("jog-mode"),
             (Key::Function, State::Mask | State::Ready) => Message::new("jog-open"),
@@ -387,8 +399,7 @@ impl Session {
         self.values.enter(mask, field, text, &self.sim.control)?;
         let rejects = field.touches && self.values != before && !mask.at_once();
         if rejects {
-            self.points.fill(None);
-            self.measured = None;
+            self.reject_all();
         }
         if field.touches && self.values != before {
             self.taken.fill(None);
@@ -416,17 +427,14 @@ impl Session {
             return;
         }
         self.sim.with_length(|control| control.plane = plane);
-        self.points.fill(None);
-        self.taken.fill(None);
-        self.measured = None;
-        if self.state == State::Ready {
-            self.state = State::Mask;
-        }
+        self.reject_all();
     }
 
-    /// Follows the data of the control, which changed: the plane, and a mask that the control does not have any more.
+    /// Follows the data of the control, which changed: the plane, the WCS of the measurement and the probe, and a mask
+    /// that the control does not have any more.
     pub fn settle(&mut self) {
         self.take_plane();
+        self.compare();
         let offered = |mask: &Mask| masks::opened(&self.sim.control, mask.name).is_some();
         if self.mask.is_some_and(|mask| !offered(mask)) {
             self.activation = None;
@@ -471,7 +479,7 @@ impl Session {
     /// Records what the user did beside the mask: a tool is taken into the spindle.
     ///
     /// # Errors
-    /// There is no such tool or edge.
+    /// There is no such tool or edge, or no room for it where the spindle stands.
     pub fn take_tool(&mut self, tool: i64, edge: i64) -> Result<(), Message> {
         let there = tool == 0 || edge == 0 || self.sim.control.edge_of(tool, edge).is_some();
         if !there || tool != 0 && !self.sim.control.tools.contains_key(&tool) {
@@ -479,8 +487,20 @@ impl Session {
             return Err(none.number("edge", edge as f64));
         }
         let edge = if tool == 0 { 0 } else { edge };
-        self.sim.with_length(|control| (control.tool, control.edge, control.location) = (tool, edge, 0));
+        let take = |sim: &mut Sim| {
+            sim.with_length(|control| (control.tool, control.edge, control.location) = (tool, edge, 0));
+        };
+        // on a copy, since a tool becomes real as soon as it is looked at
+        let mut tried = self.sim.clone();
+        let stuck = tried.reaches_in();
+        take(&mut tried);
+        if !stuck && tried.reaches_in() {
+            let none = Message::new("jog-tool-room").number("tool", tool as f64);
+            return Err(none.number("edge", edge as f64));
+        }
+        take(&mut self.sim);
         self.sim.note(Step::Tool { tool, edge });
+        self.compare();
         Ok(())
     }
 }

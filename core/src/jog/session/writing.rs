@@ -1,12 +1,12 @@
 //! What a measurement writes: the zero offset that is corrected, and the screen on which it is activated.
 
 use super::{Input, Session};
-use crate::control::{Control, ROTARY, Store};
-use crate::evaluate::level;
-use crate::geometry::TOLERANCE;
+use crate::control::{Control, Store};
+use crate::geometry::{TOLERANCE, Wcs};
 use crate::jog::activation::{self, Activation, Reasons};
 use crate::jog::mask::Kind;
 use crate::jog::offset::{self, Correction};
+use crate::jog::upright;
 use crate::jog::values::{ROTATION, Value};
 use crate::machine::{Machine, MotionKind, Stop};
 use crate::message::Message;
@@ -65,6 +65,7 @@ impl Session {
         let outcome = self.calculated()?;
         if let (Some(store), Some(correction)) = (self.chosen(), &outcome.correction) {
             let (reasons, turned) = self.reasons(store, correction);
+            self.measured_at = correction.place().map(|place| self.sim.control.to_machine(Wcs(place.actual)));
             self.correct(store, correction);
             if reasons.any() && self.mask.is_some_and(|mask| mask.older.is_none()) {
                 self.activation = Some(Activation::new(store, reasons, turned));
@@ -75,6 +76,7 @@ impl Session {
         }
         self.outcome = outcome;
         self.measured = None;
+        self.touched_in = None;
         self.points.fill(None);
         Ok(())
     }
@@ -100,7 +102,7 @@ impl Session {
             self.sim.travel_machine(to, None, MotionKind::Rapid, 0.0, false)?;
         }
         if activation.says(activation::ACTIVATE) {
-            self.sim.control.activate(settable(&self.sim.control, activation.store));
+            self.sim.control = offset::in_effect(&self.sim.control, activation.store);
         }
         if activation.says(activation::ORIENT) {
             self.orient()?;
@@ -113,7 +115,7 @@ impl Session {
 
     /// Turns the table until the active plane lies across the probe, as CYCLE800 does; the WCS turns with the part.
     pub(super) fn orient(&mut self) -> Result<(), Stop> {
-        let Some((turns, table)) = self.sim.control.swivelled() else { return Ok(()) };
+        let Some((turns, table)) = upright::swivelled(&self.sim.control) else { return Ok(()) };
         for (axis, to) in turns.into_iter().enumerate() {
             if self.sim.control.rotary[axis] != to {
                 self.sim.turn_table(axis, to)?;
@@ -137,19 +139,7 @@ impl Session {
     }
 }
 
-/// The settable frame that is active once a zero offset is.
-fn settable(control: &Control, store: Store) -> usize {
-    match store {
-        Store::Settable(number) => number,
-        _ => control.settable,
-    }
-}
-
 /// Whether a machine has the rotary axes that have to move until the plane of a zero offset lies across the probe.
 fn swivels(control: &Control, store: Store) -> bool {
-    let mut active = control.clone();
-    active.activate(settable(control, store));
-    let Some((turns, _)) = active.swivelled() else { return false };
-    let moves = |axis: usize| (turns[axis] - control.rotary[axis]).0.abs() > level::SAME;
-    (0..3).all(|axis| !moves(axis) || control.rotary_axis(ROTARY[axis]).is_some())
+    upright::swivelled(&offset::in_effect(control, store)).is_some()
 }

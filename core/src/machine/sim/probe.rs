@@ -14,6 +14,8 @@ use crate::workpiece::{Body, Contact, Feeler, Obstacle, Touching};
 /// How far the ball is lifted off a face so that it does not touch, and how far is looked for what is opposite, mm.
 const JUST_FREE: f64 = 0.01;
 const WIDEST: f64 = 1000.0;
+/// How far what only touches may reach in, mm.
+const FARTHEST_IN: f64 = 1e-6;
 /// Most feeds that are remembered as told.
 const FEEDS: usize = 1000;
 
@@ -114,6 +116,16 @@ impl Sim {
         };
         let away = room.map_or(far, |room| if middle { room } else { far.min(room) });
         Some(ball(away) + -self.ball())
+    }
+
+    /// Whether what is in the spindle reaches into the part or a tool probe where it stands: then it would have met it
+    /// on its way down there. What reaches in no further than rounding only touches.
+    pub fn reaches_in(&mut self) -> bool {
+        let mut above = self.position;
+        above[self.tool_axis()] += WIDEST;
+        let way = Route::straight(above, self.position);
+        let met = if self.has_probe() { self.obstacle(&way) } else { self.tool_stopped(&way) };
+        met.is_some_and(|met| (1.0 - met.part) * WIDEST > FARTHEST_IN)
     }
 
     /// Coordinate X Y Z of the machine at which the ball is so far above the part and the tool probes, mm.

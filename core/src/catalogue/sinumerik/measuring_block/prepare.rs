@@ -4,9 +4,8 @@ use super::{Spindle, on_machine, turnable};
 use crate::catalogue::common::MONO;
 use crate::catalogue::prelude::*;
 use crate::catalogue::sinumerik::{calibrated_as, state};
-use crate::control::Frame;
 use crate::control::braking::measuring_feed;
-use crate::geometry::{TOLERANCE, rigid};
+use crate::geometry::TOLERANCE;
 
 impl Block {
     /// Reads parameters and data and checks what must be true before the first motion (sequence of B:4147-4157).
@@ -127,15 +126,41 @@ fn follow_rotation(control: &Control, inputs: &Inputs) -> Option<Degrees> {
 /// Position of a spindle that follows the rotation of the WCS about the applicate; none where it turns otherwise too.
 pub fn follow(control: &Control) -> Option<Degrees> {
     let [abscissa, _, applicate] = control.plane.axes();
-    let mut along = [0.0; 3];
-    along[applicate] = 1.0;
-    // a rotation about Y alone may be stored with 180 degree about X and Z, so that the angles do not tell
-    let along = V3::from(along);
-    let tilted = |frame: &Frame| (rigid::rotation(frame.rotation) * along - along).norm() > TOLERANCE;
-    if control.chain().iter().any(tilted) {
+    // the frames as a whole: those of a swivelled plane lean, and the one of its table leans back
+    let along = V3::ith(applicate, if control.mirrored(applicate) { -1.0 } else { 1.0 });
+    let up = V3::from(control.direction_to_machine(V3::ith(applicate, 1.0).into()));
+    if (up.normalize() - along).norm() > TOLERANCE {
         return None;
     }
     let rotation = on_machine(control, Degrees(if control.mirrored(abscissa) { 180.0 } else { 0.0 }));
+    Some(followed(control, rotation))
+}
+
+/// Where a spindle stands that follows a rotation (`_CHBIT[14]`, B:13983-13987).
+pub fn followed(control: &Control, rotation: Degrees) -> Degrees {
     let angle = if control.bit("_CHBIT[14]") { rotation } else { -rotation };
-    Some(angle.positive())
+    angle.positive()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::control::{Frame, Plane};
+    use crate::dialect::Dialect;
+    use crate::geometry::{Rpy, rigid};
+    use crate::machine::Setup;
+
+    // oracle: manual B:13979-13985; hand: a frame that leans back leaves the 3 degree of the other
+    #[test]
+    fn a_spindle_follows_what_the_frames_turn_as_a_whole() {
+        let mut control = Setup::calibrated(Dialect::Sinumerik, Plane::G17).control;
+        let turned = |rotation| Frame { rotation, ..Frame::default() };
+        control.frames.insert(1, turned(Rpy([0.0, 10.0, 3.0])));
+        control.activate(1);
+        assert_eq!(follow(&control), None);
+        let back = [Rpy([0.0, 0.0, 3.0]), Rpy([0.0, 10.0, 3.0])].map(rigid::rotation);
+        control.part_frame = turned(rigid::angles(&(back[0] * back[1].inverse())));
+        let angle = follow(&control).map_or(f64::NAN, |angle| angle.0);
+        assert!((angle - 357.0).abs() < 1e-9, "{angle}");
+    }
 }
