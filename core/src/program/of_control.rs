@@ -37,10 +37,7 @@ pub fn is_of_control(name: &str) -> bool {
 /// Whether a name is taken, so that no label and no program of the user can have it: words of the language, what belongs
 /// to the control, its data. In upper case.
 pub fn is_taken(name: &str) -> bool {
-    is_reserved(name)
-        || is_of_control(name)
-        || words::left_out(name).is_some()
-        || gud::find(name).is_some()
+    is_reserved(name) || is_of_control(name) || words::left_out(name).is_some() || gud::find(name).is_some()
 }
 
 /// Whether a word begins a frame instruction.

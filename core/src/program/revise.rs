@@ -1,6 +1,5 @@
 //! A value changed in a form: edits of the program, and what else they concern.
 
-use super::{arguments, around};
 use super::calls::{CallSite, calls_on};
 use super::change::{Edit, apply, change};
 use super::compared::{ComparedValue, compared};
@@ -8,6 +7,7 @@ use super::jumped::Jumped;
 use super::own_words::{emptied, own_words};
 use super::touched::{TouchedLine, elsewhere};
 use super::variables::{Variable, variables};
+use super::{arguments, around};
 use crate::check::variants;
 use crate::control::Control;
 use crate::diagnostic::Diagnostic;

@@ -574,7 +574,7 @@ fn a_log_is_read_with_the_marks_of_its_program() {
         };
         let outcome = done(&real);
         let record = Record::new(String::new(), &real, &outcome, Vec::new());
-        let (_, log) = outcome.files.iter().next().unwrap();
+        let (_, log) = outcome.files.iter().next().unwrap_or_else(|| panic!("{symbols} {:?}", outcome.stop));
         let view = laid(&[log.join("\n")], None, &nominal, &done(&nominal)).unwrap();
         let name = format!("{symbols}\n{}\n{:#?}", log.join("\n"), view.unfit);
         let is_either = digits == 0 && mark.parse::<u32>().is_ok();

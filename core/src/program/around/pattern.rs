@@ -118,7 +118,8 @@ pub fn place_of(bound: &[Bound], inputs: &Inputs) -> Option<Place> {
     let own = Place::of(inputs);
     let mut places = std::iter::once(own).chain(own.others(inputs.cycle.dialect));
     let mut given = bound.iter().filter(|bound| is_given(bound.name));
-    places.find(|place| given.clone().all(|bound| given_at(bound.name, inputs, *place).as_ref() == Some(&bound.text)))
+    places
+        .find(|place| given.clone().all(|bound| given_at(bound.name, inputs, *place).as_ref() == Some(&bound.text)))
         .filter(|place| *place == own || given.next().is_some())
 }
 

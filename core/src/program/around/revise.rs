@@ -1,7 +1,7 @@
 //! The blocks around a call of a program, added, changed in place and taken away.
 
-use super::read::{Found, found, passed};
 use super::pattern::{Place, given, is_given};
+use super::read::{Found, found, passed};
 use super::values::{choices, preset, problem, value};
 use super::{Block, Kind, Words, block, blocks, write};
 use crate::check;
@@ -91,7 +91,8 @@ pub fn carried(program: &Program, site: &CallSite, before: &Inputs, now: &Inputs
         let mut suits = edits.is_some() && (one.block.suits(now) || !one.block.suits(before));
         for (field, bound) in one.bound.iter().filter_map(|bound| Some((one.block.field(bound.name)?, bound))) {
             let follows = matches!(field.kind, Kind::Result | Kind::Deviation | Kind::Side);
-            let value = if follows && bound.text == preset(field, before) { preset(field, now) } else { bound.text.clone() };
+            let value =
+                if follows && bound.text == preset(field, before) { preset(field, now) } else { bound.text.clone() };
             if follows && !choices(field, now).iter().any(|(choice, _)| *choice == value) {
                 suits = false;
             } else if value != bound.text {
