@@ -563,7 +563,7 @@ fn a_log_with_the_nominal_value_is_judged_by_the_same_limits() {
 #[test]
 fn a_log_is_read_with_the_marks_of_its_program() {
     let (real, nominal) = (machine(0.24, [0.3, -0.2]), machine(0.0, [0.0; 2]));
-    let marks = ["*", "#", "1", "0", "19", "E", "e5", "ä", ".", "'", "-", "+", "|", "%", "←", "mm", "x y", " ", ""];
+    let marks = ["*", "#", "1", "0", "E", "e", "ä", ".", "'", "-", "+", "|", "%", "←", " ", ""];
     let texts = marks.iter().flat_map(|mark| [0_i32, 1, 3, 4].map(|digits| (*mark, digits)));
     for ((mark, digits), separator) in texts.flat_map(|one| [",", ";", "/"].map(|separator| (one, separator))) {
         let symbols = format!("_PROTSYM[0]=\"{separator}\" _PROTSYM[1]=\"{mark}\" _DIGIT={digits}");
