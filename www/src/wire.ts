@@ -394,6 +394,8 @@ export type CaseView = {
   oracle: string,
   /** How it differs from the expectation; empty: it holds. */
   differences: Array<Message>,
+  /** What it does not prove although it holds. */
+  unproven: Array<Message>,
 };
 
 /** Everything that can be measured. */

@@ -28,3 +28,7 @@ protocol-comma = Ein Komma trennt die Zahlen und könnte das der Nachkommastelle
 protocol-quote = Ein Anführungszeichen wird geöffnet und nicht geschlossen: es am Ende des Werts schließen oder entfernen.
 protocol-other-line = Messung { $number } steht in Zeile { $own } des Programms, nicht in Zeile { $line }: die Spalten der Nummer und der Zeile prüfen.
 protocol-cells = { $cells } Felder unter { $heads } Überschriften: jeder Spalte eine Überschrift geben, oder einen Wert mit Trennzeichen in Anführungszeichen setzen.
+protocol-mark = „{ $text }“ endet mit dem Zeichen „{ $mark }“ für Werte außerhalb einer Grenze oder mit einer eigenen Ziffer: für _PROTSYM[1] ein anderes Zeichen wählen.
+protocol-again = Der Aufruf hat zum Sollwert { $set } schon einen Wert: die Zeile entfernen oder jede Messung neu nummerieren.
+protocol-two-columns = Die Spalten { $first } und { $other } könnten beide „{ $name }“ sein; genommen ist Spalte { $first }: prüfen oder die Spalte mit ihrer Nummer wählen.
+protocol-same-column = Die Spalte „{ $name }“ ist für zweierlei gewählt: je eine Spalte wählen.

@@ -148,6 +148,7 @@ scenario-none = { $name } hat keinen Wert. Erwartet: { $expected }.
 scenario-more = { $name } = { $found } wird nicht erwartet.
 scenario-text = { $name }: „{ $found }“. Erwartet: „{ $expected }“.
 scenario-no-file = Die Datei { $name } fehlt.
+scenario-unmeasured = Das Programm ruft keinen Messzyklus auf: Das Szenario weist keine Messung nach.
 run-deflected = Bei { $feed } mm/min steht die Achse { $path } mm hinter dem Signal; der Messtaster verträgt { $deflection } mm.
 run-deflected-too-far = Bei { $feed } mm/min steht die Achse erst { $path } mm hinter dem Signal; der Messtaster verträgt nur { $deflection } mm und würde beschädigt.
 run-skipped-dry-run = { $word } wird übersprungen: Probelauf ($P_DRYRUN). _OVR[] und _OVI[] behalten ihre Werte, nichts wird korrigiert.

@@ -55,3 +55,10 @@ variable-calculated = { $name } lässt sich nicht ändern: Der Wert wird in Zeil
 variable-number = { $name } lässt sich ändern, sobald eine Zahl eingegeben ist.
 variable-unsolved = { $name } lässt sich nicht ändern: Aus dem Ausdruck folgt für diese Zahl kein Wert.
 variable-same = { $name } hat diesen Wert schon.
+
+revise-around = Die Zeilen { $lines } um den Aufruf ändern sich mit.
+revise-around-left = Die Zeilen um den Aufruf gehören nicht mehr zu ihm (Zeile { $lines }).
+revise-around-left-hint = Diese Zeilen „um den Aufruf“ in der Maske entfernen oder von Hand ändern.
+around-stray = Diese Zeilen um { $name } gehören zu einem Aufruf mit anderer Nullpunktverschiebung oder in einer anderen Ebene.
+around-stray-hint = Die Änderung unten anwenden oder die Zeilen entfernen, wenn sie nicht zu diesem Aufruf gehören.
+around-stray-cure = Zeilen für diesen Aufruf

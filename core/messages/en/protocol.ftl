@@ -28,3 +28,7 @@ protocol-comma = A comma parts the numbers and could be that of the decimals: wr
 protocol-quote = A quote is opened and not closed: close it at the end of the value, or remove it.
 protocol-other-line = Measurement { $number } is in line { $own } of the program, not in line { $line }: check the columns of number and line.
 protocol-cells = { $cells } cells below { $heads } headings: give each column its heading, or put a value that holds the separator in quotes.
+protocol-mark = “{ $text }” ends in the mark “{ $mark }” of values beyond a limit, or in a digit of its own: choose another sign for _PROTSYM[1].
+protocol-again = The call has a value for the setpoint { $set } already: remove the line, or number each measurement anew.
+protocol-two-columns = Columns { $first } and { $other } could both be “{ $name }”; column { $first } is taken: check it, or choose the column by its number.
+protocol-same-column = Column “{ $name }” is chosen for two things: choose a column for each.

@@ -148,6 +148,7 @@ scenario-none = { $name } has no value. Expected: { $expected }.
 scenario-more = { $name } = { $found } is not expected.
 scenario-text = { $name }: “{ $found }”. Expected: “{ $expected }”.
 scenario-no-file = The file { $name } is missing.
+scenario-unmeasured = The program calls no measuring cycle: the scenario proves no measurement.
 run-deflected = At { $feed } mm/min the axis stops { $path } mm behind the signal; the probe takes { $deflection } mm.
 run-deflected-too-far = At { $feed } mm/min the axis stops { $path } mm behind the signal; the probe takes { $deflection } mm only and would be damaged.
 run-skipped-dry-run = { $word } is skipped: dry run ($P_DRYRUN). _OVR[] and _OVI[] keep their values, nothing is corrected.

@@ -55,3 +55,10 @@ variable-calculated = { $name } cannot be changed: it is calculated in line { $l
 variable-number = { $name } can be changed once a number is entered.
 variable-unsolved = { $name } cannot be changed: no value for it follows from the expression and the entered number.
 variable-same = { $name } already has this value.
+
+revise-around = Lines { $lines } around the call are changed with it.
+revise-around-left = The lines around the call do not belong to it any more (line { $lines }).
+revise-around-left-hint = Remove these lines “around the call” in the form, or change them by hand.
+around-stray = These lines around { $name } belong to a call with another work offset or in another plane.
+around-stray-hint = Apply the change below, or remove the lines if they are not about this call.
+around-stray-cure = Lines for this call

@@ -25,3 +25,7 @@ protocol-comma = 逗号分隔了数字，但也可能是小数逗号：请用“
 protocol-quote = 引号打开后没有关闭：请在数值末尾关闭引号，或将其删除。
 protocol-other-line = 第 { $number } 次测量在程序第 { $own } 行，而不在第 { $line } 行：请检查序号列和行号列。
 protocol-cells = { $heads } 个标题下有 { $cells } 个单元格：请为每列加上标题，或将含分隔符的数值放在引号内。
+protocol-mark = “{ $text }”以超限标记“{ $mark }”结尾，也可能是它自己的数字：请为 _PROTSYM[1] 选择其他字符。
+protocol-again = 该调用对设定值 { $set } 已有一个值：请删除此行，或为每次测量重新编号。
+protocol-two-columns = 第 { $first } 列和第 { $other } 列都可能是“{ $name }”；已采用第 { $first } 列：请检查，或按列号选择。
+protocol-same-column = 列“{ $name }”被选作两种用途：请分别选择一列。

@@ -148,6 +148,7 @@ scenario-none = { $name } 没有值。预期：{ $expected }。
 scenario-more = { $name } = { $found }，不在预期之中。
 scenario-text = { $name }：“{ $found }”。预期：“{ $expected }”。
 scenario-no-file = 缺少文件 { $name }。
+scenario-unmeasured = 程序没有调用测量循环：此场景不能证明任何测量。
 run-deflected = 以 { $feed } mm/min 触碰时，轴停在信号之后 { $path } mm 处；测头允许 { $deflection } mm。
 run-deflected-too-far = 以 { $feed } mm/min 触碰时，轴停在信号之后 { $path } mm 处；测头只允许 { $deflection } mm，会损坏。
 run-skipped-dry-run = 跳过 { $word }：空运行（$P_DRYRUN）。_OVR[] 和 _OVI[] 保持原值，不进行补偿。

@@ -55,3 +55,10 @@ variable-calculated = 无法更改 { $name }：其值在第 { $lines } 行中计
 variable-number = 输入数字后可更改 { $name }。
 variable-unsolved = 无法更改 { $name }：由该表达式求不出此数字对应的值。
 variable-same = { $name } 已是此值。
+
+revise-around = 调用前后的第 { $lines } 行随之更改。
+revise-around-left = 调用前后的程序行不再属于该调用（第 { $lines } 行）。
+revise-around-left-hint = 请在窗体的“调用前后”中删除这些行，或手动更改。
+around-stray = { $name } 前后的这些程序行属于使用其他零点偏移或位于其他平面的调用。
+around-stray-hint = 请应用下面的更改；如果这些行与此调用无关，请将其删除。
+around-stray-cure = 适用于此调用的程序行

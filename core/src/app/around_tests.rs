@@ -2,8 +2,8 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use super::{
-    AroundBlock, AroundField, AroundRequest, AroundView, AroundWanted, ErrorSliders, FormRequest, FormView,
-    PartSliders, ReadRequest, ReadView, around, form, read,
+    AroundBlock, AroundField, AroundRequest, AroundView, AroundWanted, ChangeRequest, Edit, ErrorSliders, FormRequest,
+    FormView, PartSliders, ReadRequest, ReadView, around, change, form, read,
 };
 use crate::catalogue::{CYCLES, example::example};
 use crate::control::Plane;
@@ -420,4 +420,125 @@ fn search_words_belong_to_blocks() {
     let known = super::catalogue().around;
     let known: BTreeSet<String> = known.into_iter().map(|block| block.key).collect();
     assert_eq!(keys.map(str::to_owned).collect::<BTreeSet<_>>(), known);
+}
+
+/// A text with a value of its first call changed, and what that tells.
+fn changed(case: &Case, text: &str, name: &str, value: &str) -> (String, Vec<String>) {
+    let (name, value) = (name.to_owned(), value.to_owned());
+    let asked =
+        ChangeRequest { control: case.cycle.dialect, text: text.into(), call: 0, name, value, setup: None, with: None };
+    let done = change(asked).unwrap();
+    let apply = |text: String, step: &Vec<Edit>| {
+        let view = AroundView { edits: step.clone(), ..asked_none(case) };
+        edited(&text, &view)
+    };
+    let told = done.findings.iter().map(|one| one.message.key.to_string()).collect();
+    (done.steps.iter().fold(text.to_owned(), apply), told)
+}
+
+fn asked_none(case: &Case) -> AroundView {
+    asked(case, "", None, None)
+}
+
+/// A call with other values.
+fn with(case: &Case, name: &str, value: &str) -> Case {
+    let mut values = case.values.clone();
+    values.insert(name.to_owned(), value.to_owned());
+    let asked = serde_json::json!({ "control": case.cycle.dialect, "cycle": case.cycle.name, "values": values });
+    let view: FormView = form(serde_json::from_value(asked).unwrap()).unwrap();
+    Case { values, snippet: view.snippet, setup: case.setup.clone(), ..*case }
+}
+
+// oracle: hand: lines around a call are those that would be written around the call as it is now (C:1079: S names the
+// work offset that they read)
+#[test]
+fn a_changed_call_carries_its_lines_along() {
+    let mut seen = BTreeSet::new();
+    for case in cases(Dialect::Nct).iter().filter(|case| case.cycle.param("S").is_some()) {
+        let [one, two] = ["1", "2"].map(|number| with(case, "S", number));
+        for block in asked_none(&one).blocks {
+            let text = |case: &Case| {
+                let lines = asked(case, "", None, Some(vec![filled(&block, Dialect::Nct)]));
+                program(case, &lines.before, &lines.after)
+            };
+            let (before, now) = (text(&one), text(&two));
+            let depends = now != before.replace(&one.snippet, &two.snippet);
+            let (done, told) = changed(&one, &before, "S", "2");
+            assert_eq!(done, now, "{}", block.name);
+            assert_eq!(told, if depends { vec!["revise-around"] } else { vec![] }, "{done}");
+            assert_eq!(codes(&read_of(&two, &done)), codes(&read_of(&two, &program(&two, "", ""))), "{done}");
+            // by hand the call alone is changed: it is told, mended by its cure, and the block is still seen
+            let by_hand = before.replace(&one.snippet, &two.snippet);
+            let stray = codes(&read_of(&two, &by_hand)).iter().any(|one| one.ends_with("around-stray"));
+            assert_eq!(stray, depends, "{by_hand}");
+            let back = asked(&two, &by_hand, Some(0), None);
+            assert_eq!(standing(&back).keys().copied().collect::<Vec<_>>(), [block.name], "{by_hand}");
+            assert_eq!(edited(&by_hand, &back), now, "{by_hand}");
+            // without S nothing can be read
+            let (_, told) = changed(&one, &before, "S", "");
+            assert_eq!(told.contains(&"revise-around-left".to_owned()), depends, "{told:?}");
+            seen.insert((block.name, depends));
+        }
+    }
+    assert!(seen.iter().filter(|(_, depends)| *depends).count() >= 5, "{seen:?}");
+}
+
+// oracle: DESIGN.md, Around the call (material is left in a hole that is too small, and outside where it is too large),
+// hand: what was chosen otherwise stays
+#[test]
+fn the_side_of_a_rework_goes_with_the_element() {
+    let cycle = crate::catalogue::find(Dialect::Sinumerik, "CYCLE977").unwrap();
+    let of = |number: i64| {
+        let variant = cycle.variants.iter().find(|one| one.number == number).unwrap();
+        case(cycle, variant, false, 0.0).unwrap()
+    };
+    for (from, to, sides) in [(1, 2, ["<", ">"]), (2, 1, [">", "<"]), (1, 3, ["<", "<"]), (2, 4, [">", ">"])] {
+        let case = of(from);
+        let block = asked_none(&case).blocks.into_iter().find(|block| block.name == "rework").unwrap();
+        for chosen in [None, Some("<"), Some(">")] {
+            let mut wanted = filled(&block, Dialect::Sinumerik);
+            wanted.values.extend(chosen.map(|side| ("side".to_owned(), side.to_owned())));
+            let lines = asked(&case, "", None, Some(vec![wanted]));
+            let text = program(&case, &lines.before, &lines.after);
+            let side = chosen.unwrap_or(sides[0]);
+            assert!(text.contains(&format!("(_OVR[16]{side}0)")), "{text}");
+            let (done, _) = changed(&case, &text, "_MVAR", &to.to_string());
+            let now = if side == sides[0] { sides[1] } else { side };
+            assert!(done.contains(&format!("(_OVR[16]{now}0)")), "{from} {to} {chosen:?}\n{done}");
+        }
+    }
+}
+
+// oracle: hand: words of the language and of the control, its data; names of the user beside them
+#[test]
+fn a_word_of_the_control_is_no_free_name() {
+    let case = reworked();
+    let told = |block: &str, field: &str, value: &str| {
+        let values = Typed::from([(field.to_owned(), value.to_owned())]);
+        let view = asked(&case, "", None, Some(vec![AroundWanted { name: block.to_owned(), values }]));
+        let found = view.blocks.iter().find(|one| one.name == block).unwrap();
+        let problem = found.fields.iter().find(|one| one.name == field).unwrap().problem.clone();
+        problem.map(|message| message.key.to_string())
+    };
+    for name in [
+        "IF", "GOTOF", "GOTOB", "ENDIF", "ELSE", "DEF", "FOR", "PROC", "RET", "AND", "DIV", "CALL", "MCALL", "PCALL",
+        "EXTCALL", "_OVR", "_MVAR", "PI", "SIN", "REAL", "SPOS", "STOPRE", "WRITE", "CYCLE977", "MSG", "gotof", "TRUE",
+    ] {
+        for (block, field) in [("jump", "target"), ("rework", "program"), ("finish", "semi")] {
+            assert_eq!(told(block, field, name).as_deref(), Some("around-wrong-name"), "{block} {name}");
+        }
+    }
+    for name in ["FAR_AWAY", "L100", "MACHINE_AGAIN", "IFS", "PIN", "SINGLE", "_OWN"] {
+        assert_eq!(told("jump", "target", name), None, "{name}");
+    }
+    assert_eq!(told("rework", "side", "x").as_deref(), Some("around-wrong-side"));
+    assert_eq!(told("rework", "result", "_OVR[99]").as_deref(), Some("around-wrong-choice"));
+    for (text, key) in [
+        ("a\"b", Some("around-wrong-sign")),
+        ("a\nb", Some("around-wrong-sign")),
+        ("a (b) ö; c", None),
+        (&"x".repeat(101), Some("around-wrong-long")),
+    ] {
+        assert_eq!(told("stop", "text", text).as_deref(), key, "{text}");
+    }
 }

@@ -8,7 +8,7 @@ use super::written::{WrittenFile, written};
 use crate::catalogue::alarms::newer_cure;
 use crate::control::Control;
 use crate::diagnostic::Code;
-use crate::entry::{Inputs, unit_name};
+use crate::entry::{Inputs, result_unit};
 use crate::machine::Stop;
 use crate::message::Message;
 use crate::scene::Source;
@@ -104,7 +104,7 @@ fn results(inputs: &Inputs, outcome: &run::Outcome) -> Vec<Measured> {
         name: field.name,
         label: Message::new(field.key),
         value,
-        unit: unit_name(field.unit, &outcome.control),
+        unit: result_unit(field.unit, outcome.before.active_units, outcome.before.basic_units),
         earlier: unwritten.contains(field.name).then_some(0),
     });
     result.collect()

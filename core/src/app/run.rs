@@ -13,7 +13,7 @@ use super::{Error, ProgramText};
 use crate::control::Value;
 use crate::diagnostic::Code;
 use crate::dialect::Dialect;
-use crate::entry::unit_name;
+use crate::entry::result_unit;
 use crate::machine::setup::Setup;
 use crate::machine::trace::Step;
 use crate::machine::{Entry, Stop};
@@ -355,14 +355,14 @@ impl RunView {
 fn results(outcome: &Outcome) -> Vec<RunResult> {
     let mut all = Vec::new();
     let mut told = BTreeSet::new();
-    for Left { call, results } in outcome.left() {
+    for Left { call, units, results } in outcome.left() {
         for (field, value) in results {
             told.insert(field.name);
             all.push(RunResult {
                 name: field.name.to_owned(),
                 value,
                 label: Some(Message::new(field.key)),
-                unit: Some(unit_name(field.unit, &outcome.control)),
+                unit: Some(result_unit(field.unit, units, outcome.control.basic_units)),
                 call: OfCall::new(Some(call)),
             });
         }

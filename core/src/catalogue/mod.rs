@@ -75,7 +75,7 @@ pub mod twin_place;
 pub(crate) mod log {
     pub use super::logging::names::FILE;
     pub use super::logging::simulate::measured;
-    pub use super::logging::{LOG_DELETED, LOG_FULL, Layout, ON, is_log, layout};
+    pub use super::logging::{LOG_DELETED, LOG_FULL, Layout, ON, Unmarked, is_log, layout};
 }
 
 use crate::dialect::Dialect;

@@ -44,6 +44,21 @@ pub fn unit_name(unit: Unit, control: &Control) -> &'static str {
     }
 }
 
+/// Name of the unit in which a call leaves a result of this rule: `active` was the system at the call. What counts in
+/// the basic system of the machine stays in it on every control, also on one that takes all in one active system
+/// (NCT #500 to #510, C:92-94).
+pub fn result_unit(unit: Unit, active: Units, basic: Units) -> &'static str {
+    match unit {
+        Unit::None => "",
+        Unit::Degree => "deg",
+        Unit::Millimetre => "mm",
+        Unit::ActiveLength => active.name(),
+        Unit::BasicLength => basic.name(),
+        Unit::BasicFeed if basic == Units::Inch => "inch/min",
+        Unit::BasicFeed => "mm/min",
+    }
+}
+
 /// Name of the unit as it stands behind a number; empty where there is none.
 pub fn unit_behind(unit: Unit, control: &Control) -> String {
     match unit_name(unit, control) {

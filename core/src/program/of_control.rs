@@ -4,7 +4,9 @@ use super::standard::{is_standard, is_step};
 use super::user_programs::delivered;
 use super::words;
 use crate::catalogue;
+use crate::control::gud;
 use crate::dialect::Dialect;
+use crate::syntax::language::is_reserved;
 
 /// `TOOLENV("NAME")`: stores the tool environment.
 pub const STORE_ENVIRONMENT: &str = "TOOLENV";
@@ -30,6 +32,12 @@ pub fn is_of_control(name: &str) -> bool {
         || words::transforms(name)
         || [EXECUTE_TEXT, RESTART].contains(&name)
         || is_frame(name)
+}
+
+/// Whether a name is taken, so that no label and no program of the user can have it: words of the language, what belongs
+/// to the control, its data. In upper case.
+pub fn is_taken(name: &str) -> bool {
+    is_reserved(name) || is_of_control(name) || words::left_out(name).is_some() || gud::find(name).is_some()
 }
 
 /// Whether a word begins a frame instruction.

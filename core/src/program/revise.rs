@@ -1,6 +1,5 @@
 //! A value changed in a form: edits of the program, and what else they concern.
 
-use super::arguments;
 use super::calls::{CallSite, calls_on};
 use super::change::{Edit, apply, change};
 use super::compared::{ComparedValue, compared};
@@ -8,6 +7,7 @@ use super::jumped::Jumped;
 use super::own_words::{emptied, own_words};
 use super::touched::{TouchedLine, elsewhere};
 use super::variables::{Variable, variables};
+use super::{arguments, around};
 use crate::check::variants;
 use crate::control::Control;
 use crate::diagnostic::Diagnostic;
@@ -15,6 +15,7 @@ use crate::entry::{Param, Typed};
 use crate::name::Name;
 use crate::syntax::{Program, WordKind};
 use crate::{check, own};
+use std::collections::BTreeSet;
 
 /// What a new value of a call does to the program.
 #[derive(Debug, Default)]
@@ -71,6 +72,12 @@ pub fn revise(program: &Program, index: usize, name: &str, value: &str, control:
         }
         after = calls_on(&program.again(&text), control.clone());
     }
+    let again = program.again(&text);
+    if let Some(now) = after.get(index) {
+        let before = around::inputs_at(site, control);
+        let carried = around::carried(&again, now, &before, &around::inputs_at(now, control));
+        revision.carry(carried);
+    }
     revision.values = differing(program, &sites, &after);
     let others = sites.iter().zip(&after).enumerate().any(|(at, (one, other))| {
         let changes = |site: &ComparedValue| at != index || site.param != name;
@@ -86,6 +93,17 @@ fn differing(program: &Program, before: &[CallSite], after: &[CallSite]) -> Vec<
 }
 
 impl Revision {
+    /// The blocks around the call go along with it.
+    fn carry(&mut self, carried: around::Carried) {
+        let told = |sentence: own::Own, lines: &BTreeSet<u32>| {
+            let lines: Vec<String> = lines.iter().map(ToString::to_string).collect();
+            (!lines.is_empty()).then(|| sentence.finding().texts("lines", &lines))
+        };
+        self.findings.extend(told(own::REVISE_AROUND, &carried.lines));
+        self.findings.extend(told(own::REVISE_AROUND_LEFT, &carried.left));
+        self.steps.extend((!carried.edits.is_empty()).then_some(carried.edits));
+    }
+
     /// Takes these values out of a call, of the program as it is by then, but for expressions and what others read.
     fn take(&mut self, program: &Program, (sites, index): (&[CallSite], usize), idle: Vec<Name>, control: &Control) {
         let Some(site) = sites.get(index) else { return };

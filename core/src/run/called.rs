@@ -3,7 +3,7 @@
 use super::Outcome;
 use crate::catalogue::log;
 use crate::control::{Control, Units};
-use crate::entry::{Cycle, Inputs};
+use crate::entry::{Cycle, Inputs, Unit, result_unit};
 use crate::machine::{Entry, Step};
 
 /// A call that was carried out, or that its check refused.
@@ -15,6 +15,8 @@ pub struct Called {
     pub inputs: Inputs,
     /// Active system of units at the call.
     pub units: Units,
+    /// Basic system of the machine.
+    pub basic: Units,
     /// What its block of values in the log shows; none: it is not logged.
     pub log: Option<log::Layout>,
     /// What the results of its cycle held when a result screen showed them, in their order; empty: none did.
@@ -34,6 +36,11 @@ pub fn show(called: &mut [Called], control: &Control) {
 }
 
 impl Called {
+    /// Name of the unit in which a result of this rule stands.
+    pub fn unit(&self, unit: Unit) -> &'static str {
+        result_unit(unit, self.units, self.basic)
+    }
+
     /// What happened in it, and whether it came to its end.
     pub fn entries(&self, outcome: &Outcome) -> (Vec<Entry>, bool) {
         let mut own = Vec::new();

@@ -130,8 +130,9 @@ pub fn carry_out(run: &mut Interpreter, cycle: &'static Cycle, checked: Checked,
 /// Keeps a measuring call that begins now.
 fn keep(run: &mut Interpreter, inputs: Inputs) {
     if called::measures(inputs.cycle) {
-        let (at, units) = (run.sim.trace.entries.len(), run.sim.control.active_units);
-        run.called.push(Called { at, inputs, units, log: None, shown: Vec::new() });
+        let (at, control) = (run.sim.trace.entries.len(), &run.sim.control);
+        let (units, basic) = (control.active_units, control.basic_units);
+        run.called.push(Called { at, inputs, units, basic, log: None, shown: Vec::new() });
     }
 }
 

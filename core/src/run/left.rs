@@ -1,7 +1,9 @@
 //! What the measuring calls of a program left in their result data.
 
+use super::called::Called;
 use super::{Outcome, outcome::set};
 use crate::catalogue;
+use crate::control::Units;
 use crate::entry::{Cycle, Inputs, ResultField};
 use crate::machine::Step;
 use crate::machine::entries::Other;
@@ -12,6 +14,8 @@ use std::collections::{BTreeMap, BTreeSet};
 pub struct Left {
     /// The call.
     pub call: CallAt,
+    /// Active system of units at the call; of one that is no measurement, at the end of the program.
+    pub units: Units,
     /// Results of the cycle with their values, in the order of the entry.
     pub results: Vec<(&'static ResultField, f64)>,
 }
@@ -62,20 +66,26 @@ impl Outcome {
             let Step::CallBegin { cycle, variant } = *other.step else { return None };
             let cycle = catalogue::find(self.control.dialect, cycle)?;
             let call = CallAt { line: other.line?, cycle: cycle.name };
-            Some((call.line, one(call, &Inputs::new(cycle, variant), behind)))
+            let units = self.called_at(other.at).map_or(self.control.active_units, |called| called.units);
+            Some((call.line, one(call, units, &Inputs::new(cycle, variant), behind)))
         });
         begins.collect::<BTreeMap<_, _>>().into_values().collect()
+    }
+
+    /// The measuring call that begins with this entry of the trace.
+    fn called_at(&self, at: usize) -> Option<&Called> {
+        self.called.binary_search_by_key(&at, |called| called.at).ok().and_then(|index| self.called.get(index))
     }
 }
 
 /// What a call, of which only the variant is known, wrote before the next one began.
-fn one<'a>(call: CallAt, called: &Inputs, behind: impl Iterator<Item = Other<'a>>) -> Left {
+fn one<'a>(call: CallAt, units: Units, called: &Inputs, behind: impl Iterator<Item = Other<'a>>) -> Left {
     let own = behind.map(|other| other.step);
     let own = own.take_while(|step| !matches!(step, Step::CallBegin { .. } | Step::CallEnd));
     let written: BTreeMap<&str, f64> = own.filter_map(set).collect();
     let fields = called.cycle.results.iter().filter(|field| field.when.holds(called));
     let results = fields.filter_map(|field| Some((field, *written.get(field.name)?))).collect();
-    Left { call, results }
+    Left { call, units, results }
 }
 
 #[cfg(test)]

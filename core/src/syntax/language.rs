@@ -1,6 +1,8 @@
 //! Words of the language and cycles of the control that leave alone what is followed: plane, compensation, zero offset,
 //! diameters, spindle, tool. Any other name that stands alone or takes arguments may be a program of the user.
 
+use super::keyword;
+
 /// In the order of the alphabet.
 const WORDS: [&str; 305] = [
     "ACCLIMA", "ACTBLOCNO", "ADDFRAME", "ADISPOSA", "AROTS", "ASPLINE", "AXTOCHAN", "BLOCK", "BLSYNC", "CADAPTOF",
@@ -43,6 +45,35 @@ pub fn is_word(name: &str) -> bool {
 fn words_are_sorted() {
     assert!(WORDS.is_sorted());
     assert!(is_word("CUT2D") && !is_word("MEASURE"));
+}
+
+/// Functions and constants of expressions.
+const IN_EXPRESSIONS: [&str; 46] = [
+    "SIN", "COS", "TAN", "ASIN", "ACOS", "ATAN", "ATAN2", "SQRT", "ABS", "POT", "TRUNC", "ROUND", "ROUNDUP", "LN",
+    "EXP", "MINVAL", "MAXVAL", "BOUND", "PI", "TRUE", "FALSE", "SET", "REP", "STRLEN", "SUBSTR", "INDEX", "RINDEX",
+    "MINDEX", "MATCH", "TOUPPER", "TOLOWER", "NUMBER", "ISNUMBER", "AXNAME", "AXSTRING", "SPRINT", "ISVAR", "ISAXIS",
+    "GETT", "CTRANS", "CFINE", "CROT", "CSCALE", "CMIRROR", "CRPL", "INVFRAME",
+];
+
+/// Whether a name is reserved: no label and no program can have it. In upper case.
+pub fn is_reserved(name: &str) -> bool {
+    let bytes = name.as_bytes();
+    let lists = [keyword::TYPES, keyword::MEASURED, keyword::ADDRESSES, keyword::OF_AXIS, keyword::MODES];
+    keyword::find(bytes).is_some()
+        || lists.iter().any(|list| keyword::is_one_of(bytes, list))
+        || IN_EXPRESSIONS.contains(&name)
+        || MANNERS.contains(&name)
+        || is_word(name)
+}
+
+// oracle: self (what an expression calculates has a reserved name; FIX and FUP are of the other language)
+#[test]
+fn functions_are_reserved() {
+    for name in ["SIN", "ATAN2", "MAXVAL", "BOUND", "POT"] {
+        let some = (1..4).any(|count| super::arithmetic::function(name, &vec![0.5; count]).is_some());
+        assert!(some && is_reserved(name), "{name}");
+    }
+    assert!(!is_reserved("MEASURE") && !is_reserved("SINGLE"));
 }
 
 /// `CALL "NAME"`: calls the program that a text names.

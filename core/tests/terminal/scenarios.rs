@@ -48,6 +48,23 @@ fn a_folder_is_carried_out_whole_and_told_to_other_tools() {
     assert!(report.contains(&format!("<testsuites tests=\"{count}\" failures=\"0\">")), "{}", &report[..200]);
 }
 
+// oracle: hand: the program that measures is missing, so that nothing is measured
+#[test]
+fn a_case_that_measures_nothing_says_so() {
+    let scenario = |text: &str| {
+        format!(
+            r#"{{"program":{{"name":"sub.mpf","text":"{text}"}},"cases":[{{"id":"sub","expect":{{"calls":[]}}}}],
+                "setup":{{"control":"sinumerik","probe":{{"radius":3,"length":50}}}}}}"#
+        )
+    };
+    let told = |text: &str| out(&probewright(&["test", &file("sub.scenario.json", scenario(text).as_bytes())]));
+    let without = told("G17 G54 G90\\nMEASURE\\nM30\\n");
+    assert!(without.starts_with("ok  ") && without.contains("proves no measurement"), "{without}");
+    assert!(without.contains("MEASURE (2)") && without.contains("Passed: 1 of 1"), "{without}");
+    let empty = told("G17 G54 G90\\nM30\\n");
+    assert!(empty.contains("proves no measurement") && !empty.contains("MEASURE"), "{empty}");
+}
+
 // oracle: hand: each difference of a case is told once
 #[test]
 fn what_stops_a_run_is_told_once() {

@@ -13,7 +13,7 @@ import { iconPart } from "../icons";
 import { fileOf, saveFile } from "../state/files";
 import type { State } from "../state/state";
 import { isPlaced, say, sayProblem, t } from "../texts";
-import type { CaseView, NoteRequest, Scenario, ScenarioView } from "../wire";
+import type { CaseView, Message, NoteRequest, Scenario, ScenarioView } from "../wire";
 import { type Found, type Kind, scenariosIn } from "./files";
 
 const SHOWN = 100; // files that no scenario needs
@@ -98,9 +98,11 @@ export function createScenarios(
     const proved = await prover.ask({ note: { run, name, case: name } satisfies NoteRequest });
     if ("problem" in proved) problem = sayProblem(proved.problem);
     else {
-      const scenario = JSON.stringify(JSON.parse(proved.json) as Scenario, null, 2);
-      saveFile(`${scenario}\n`, `${name.replace(/\.[^.]*$/, "")}.scenario.json`, "application/json");
-      problem = "";
+      const scenario = JSON.parse(proved.json) as Scenario;
+      const text = JSON.stringify(scenario, null, 2);
+      saveFile(`${text}\n`, `${name.replace(/\.[^.]*$/, "")}.scenario.json`, "application/json");
+      const measures = scenario.cases?.some(({ expect }) => expect?.calls?.length);
+      problem = measures ? "" : t("scenario-unmeasured");
     }
     draw();
   };
@@ -211,7 +213,7 @@ function row(came: Came): TemplateResult {
     <span class="scenario-name">${came.name}</span>
     <span class="meta">${"why" in came ? nothing : `${length}/${cases.length}`}</span>
     <span class="meta scenario-source">${"source" in came ? from(came) : nothing}</span>
-    ${"why" in came ? refused(came.why, came.placed) : cases.filter(one => !holds(one)).map(differing)}
+    ${"why" in came ? refused(came.why, came.placed) : cases.filter(one => toldOf(one).length > 0).map(differing)}
   </li>`;
 }
 
@@ -219,8 +221,11 @@ function row(came: Came): TemplateResult {
 const from = ({ kind, source }: { kind?: Kind; source: string }): string =>
   kind ? t(`scenarios-from-${kind}`, { source }) : source;
 
-const differing = ({ id, differences }: CaseView): TemplateResult =>
-  html`<p><strong>${id}</strong></p>
+/** How a case differs, and what it does not prove. */
+const toldOf = ({ differences, unproven }: CaseView): Message[] => [...differences, ...unproven];
+
+const differing = (one: CaseView): TemplateResult =>
+  html`<p><strong>${one.id}</strong></p>
     <ul>
-      ${differences.map(one => html`<li>${say(one)}</li>`)}
+      ${toldOf(one).map(message => html`<li>${say(message)}</li>`)}
     </ul>`;

@@ -9,7 +9,7 @@ import { type IconName, iconPart } from "../icons";
 import type { State } from "../state/state";
 import { listed, say, t } from "../texts";
 import type { Answer, CertaintyView, Figure, RunView, WholeCertainty } from "../wire";
-import { amount, correctedText, figureText, mainFigures, partsText, unitBehind } from "./amounts";
+import { allParts, amount, correctedText, figureText, mainFigures, unitBehind } from "./amounts";
 import { certainty } from "./certain";
 import { gaugePicture } from "./gauge";
 
@@ -62,7 +62,7 @@ function corrected(answer: Answer): TemplateResult {
   const name = none
     ? t("bar-corrects")
     : t("bar-corrects-what", { what: listed(answer.corrected.map(one => say(one.target))) });
-  const parts = answer.corrected.map(partsText).filter(Boolean).join("  ");
+  const parts = allParts(answer).filter(Boolean).join("  ");
   return html`<div class="answer-part"><span class="answer-name">${name}</span
     ><b>${none ? t("bar-nothing") : parts || t("bar-new")}</b></div>`;
 }

@@ -2,8 +2,7 @@
 
 use super::gauge::Limited;
 use super::{axes, element};
-use crate::control::Units;
-use crate::entry::{Element, Inputs, ResultField, Unit, names};
+use crate::entry::{Element, Inputs, ResultField, names};
 use crate::machine::{Entry, Step};
 use crate::message::Message;
 use crate::run::called::Called;
@@ -220,7 +219,7 @@ pub(super) fn found(called: &Called, entries: &[Entry]) -> Vec<(Sort, Figure)> {
             // a result without a setpoint deviates from what was given, that of a calibration from what was stored
             set: of(set).or_else(|| deviation.filter(|_| !compares(inputs)).map(|deviation| value - deviation)),
             deviation,
-            unit: unit(field.unit, called.units),
+            unit: called.unit(field.unit),
             limits: None,
         };
         Some((*sort, figure))
@@ -242,16 +241,6 @@ pub(super) fn written(called: &Called, entries: &[Entry]) -> BTreeMap<&'static s
     let last: BTreeMap<String, f64> = entries.iter().filter_map(set).collect();
     let fields = called.inputs.cycle.results.iter().filter(|field| field.when.holds(&called.inputs));
     fields.filter_map(|field| Some((field.key, (field, *last.get(field.name)?)))).collect()
-}
-
-/// Name of the unit of a result.
-fn unit(unit: Unit, units: Units) -> &'static str {
-    match unit {
-        Unit::None => "",
-        Unit::Degree => "deg",
-        Unit::Millimetre => "mm",
-        _ => units.name(),
-    }
 }
 
 /// Heading of a sort, and what stands before its values.

@@ -95,8 +95,8 @@ impl Verdict {
 
 /// The call of a form; none of one that is no measurement.
 pub(super) fn of_call(inputs: &Inputs, outcome: &run::Outcome) -> Option<Answer> {
-    let units = outcome.before.active_units;
-    let called = Called { at: 0, inputs: inputs.clone(), units, log: None, shown: Vec::new() };
+    let (units, basic) = (outcome.before.active_units, outcome.before.basic_units);
+    let called = Called { at: 0, inputs: inputs.clone(), units, basic, log: None, shown: Vec::new() };
     measures(inputs.cycle).then(|| answer(&called, outcome))
 }
 

@@ -4,7 +4,7 @@
 
 use crate::check::upkeep::{SCREEN, SCREEN_HALTS, SCREEN_STAYS};
 use crate::control::Control;
-use crate::entry::{Inputs, ProbeUse, ResultField, unit_name};
+use crate::entry::{Inputs, ProbeUse, ResultField};
 use crate::machine::{Entry, Step};
 use crate::message::Message;
 use crate::run::called::Called;
@@ -147,7 +147,7 @@ pub fn screen(
             .map(|field| ScreenValue {
                 label: Message::new(field.key),
                 value: value(field),
-                unit: unit_name(field.unit, control),
+                unit: called.unit(field.unit),
             })
             .collect::<Vec<_>>()
     };
@@ -156,7 +156,7 @@ pub fn screen(
         cycle: inputs.cycle.name,
         variant: inputs.variant,
         measures: Message::new(name(inputs)),
-        rows: rows(&fields, family.rows, &value, control),
+        rows: rows(&fields, family.rows, &value, called),
         values: family.values.iter().flat_map(single).collect(),
         digits: DIGITS,
         until,
@@ -213,7 +213,7 @@ fn rows(
     fields: &[&'static ResultField],
     wanted: &[&str],
     value: &dyn Fn(&ResultField) -> f64,
-    control: &Control,
+    called: &Called,
 ) -> Vec<ScreenRow> {
     let mut rows: Vec<(String, ScreenRow)> = Vec::new();
     for field in fields.iter().filter(|field| wanted.iter().any(|begin| stem_of(field).starts_with(begin))) {
@@ -227,7 +227,7 @@ fn rows(
                 set: None,
                 actual: None,
                 difference: None,
-                unit: unit_name(field.unit, control),
+                unit: called.unit(field.unit),
             };
             rows.push((name, empty));
             rows.len() - 1

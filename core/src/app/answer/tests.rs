@@ -79,10 +79,18 @@ fn near(one: f64, other: f64) -> bool {
     (one - other).abs() < 1e-7
 }
 
-// oracle: hand: a figure is the result of its name, and what it deviates by is its difference
+// oracle: hand: a figure is the result of its name, and what it deviates by is its difference; DESIGN: a datum of the
+// control counts in the basic system of the machine (C:92-94), whatever is active at the call
 #[test]
 fn figures_are_the_results_of_the_call() {
+    let mut data = std::collections::BTreeSet::new();
     all(|name, outcome, answer| {
+        for figure in &answer.figures {
+            if let Some(datum) = outcome.changes.iter().find(|change| change.name == figure.name) {
+                assert_eq!((datum.after, datum.unit), (figure.actual, figure.unit), "{name}");
+                data.insert(figure.name);
+            }
+        }
         let value = |key: &str| outcome.results.iter().find(|one| one.label.key == key && one.earlier.is_none());
         for figure in &answer.figures {
             let result = value(&figure.label.key).unwrap_or_else(|| panic!("{name} {figure:?}"));
@@ -102,6 +110,7 @@ fn figures_are_the_results_of_the_call() {
             }
         }
     });
+    assert!(data.contains("#500") && data.contains("#504"), "{data:?}");
 }
 
 // oracle: manual B:6123-6137, B:6221, B:4310-4326 (limits), C:1083-1099: what lies beyond its tolerance is not within;

@@ -1,5 +1,6 @@
 //! The cells of a line of a table of which it is known what stands in which column.
 
+use super::fit::is_difference;
 use super::text::{Fault, Figure, Line};
 use super::{Column, Columns};
 use crate::message::Message;
@@ -45,6 +46,12 @@ impl<'a> Cells<'a> {
             deviation: figure(&columns.deviation)?,
         };
         cells.missing(columns).map_or(Ok(cells), Err)
+    }
+
+    /// Whether it has setpoint, actual value and the difference of both.
+    pub fn agree(&self) -> bool {
+        let all = self.nominal.zip(self.actual).zip(self.deviation);
+        all.is_some_and(|((set, actual), by)| is_difference(set, actual, by))
     }
 
     /// Says which cell has to be filled in; none: what stands there is enough.

@@ -4,6 +4,7 @@ use super::Columns;
 use super::cells::Cells;
 use super::text::{Fault, Figure, Line};
 use crate::app::run::RunAnswer;
+use crate::catalogue::log::{Layout, Unmarked};
 use crate::message::Message;
 use crate::run::called::Called;
 use std::collections::BTreeMap;
@@ -65,6 +66,16 @@ pub struct Fit<'a> {
 /// Why a line is not laid onto a call.
 type Unfit = Message;
 
+/// What a line below a heading of a log is.
+enum Block {
+    /// Laid by its columns, with a doubt about it.
+    Laid(Option<Message>),
+    /// A number of it cannot be read: why.
+    Unread(Message),
+    /// No line of the block of values.
+    Other,
+}
+
 impl<'a> Fit<'a> {
     /// No line is laid yet.
     pub fn new(calls: &'a [RunAnswer], called: &'a [Called]) -> Fit<'a> {
@@ -121,9 +132,24 @@ impl<'a> Fit<'a> {
         if let Some(heading) = self.heading(line) {
             return heading.map(|()| None);
         }
-        if let Some(doubt) = self.of_block(line) {
-            return Ok(doubt);
+        let alike = self.layout(line).map(|layout| line.marked_alike(layout));
+        let line = alike.as_ref().unwrap_or(line);
+        match self.of_block(line) {
+            Block::Laid(doubt) => Ok(doubt),
+            Block::Unread(why) => self.by_figures(line).map_err(|_| why),
+            Block::Other => self.by_figures(line),
         }
+    }
+
+    /// How the log prints of which this is a line; none: it is of no log that a call of the program writes.
+    fn layout(&self, line: &Line) -> Option<&'a Layout> {
+        let of_block = self.block.and_then(|(call, _)| self.called.get(call)?.log.as_ref());
+        let any = || self.called.iter().find_map(|called| called.log.as_ref());
+        of_block.or_else(any).filter(|_| line.own)
+    }
+
+    /// Lays a line by its figures alone.
+    fn by_figures(&mut self, line: &Line) -> Result<Option<Message>, Unfit> {
         match line.fault {
             Some(Fault::Quote) => return Err(Message::new("protocol-quote")),
             Some(Fault::Comma) => return Err(Message::new("protocol-comma")),
@@ -151,18 +177,23 @@ impl<'a> Fit<'a> {
         Ok(if sure { None } else { doubt(&figures[at..]) })
     }
 
-    /// Lays a line of the block of values below a heading by what the program prints in its columns, and gives a doubt
-    /// about it; none: it is no such line.
-    fn of_block(&mut self, line: &Line) -> Option<Option<Message>> {
-        let (call, at) = self.block?;
-        let columns = self.called[call].log.as_ref()?.get(at)?;
-        if columns.len() != line.fields.len() {
-            return None;
-        }
+    /// Lays a line of the block of values below a heading by what the program prints in its columns.
+    fn of_block(&mut self, line: &Line) -> Block {
+        let Some((call, at)) = self.block else { return Block::Other };
+        let Some(layout) = self.called.get(call).and_then(|called| called.log.as_ref()) else { return Block::Other };
+        let columns = layout.lines.get(at).filter(|columns| columns.len() == line.fields.len());
+        let Some(columns) = columns else { return Block::Other };
         let numbers = columns.iter().zip(&line.fields).filter_map(|(name, field)| Some((name.as_deref()?, field)));
-        let read: Option<Vec<(&str, &String, Figure)>> =
-            numbers.map(|(name, field)| Some((name, field, line.figure(field)?))).collect();
-        let read = read?;
+        let mut read: Vec<(&str, &String, Figure)> = Vec::new();
+        for (name, field) in numbers {
+            if layout.unmarked(field) == Unmarked::Either {
+                return Block::Unread(Message::new("protocol-mark").text("text", field).text("mark", &layout.mark));
+            }
+            let Some(figure) = line.figure(field) else {
+                return Block::Unread(Message::new("protocol-no-number").text("column", name).text("text", field));
+            };
+            read.push((name, field, figure));
+        }
         let column = |wanted: Option<String>| read.iter().find(|(name, ..)| Some(*name) == wanted.as_deref());
         self.block = Some((call, at + 1));
         let mut doubt = None;
@@ -177,7 +208,7 @@ impl<'a> Fit<'a> {
             self.put(index, line, actual.value, told.filter(|told| set.is_some_and(|set| !told.is(set))));
             self.quantities[index].marked = is_marked(field).then(|| line.clone());
         }
-        Some(doubt)
+        Block::Laid(doubt)
     }
 
     fn put(&mut self, index: usize, line: &Line, actual: f64, told: Option<Figure>) {
@@ -256,6 +287,8 @@ impl<'a> Fit<'a> {
         if let Some(heading) = self.heading(line) {
             return heading;
         }
+        let alike = self.layout(line).map(|layout| line.marked_alike(layout));
+        let line = alike.as_ref().unwrap_or(line);
         let cells = Cells::of(line, columns)?;
         let call = self.called(cells.number, cells.line)?;
         let index = self.of_cells(call, &cells)?;
@@ -273,7 +306,7 @@ impl<'a> Fit<'a> {
 
     /// The quantity of a line of a table; where only its values are told, it may be that behind the last line.
     fn of_cells(&mut self, call: Option<usize>, cells: &Cells) -> Result<usize, Unfit> {
-        let found = self.quantity(call, cells.result, cells.nominal);
+        let found = self.quantity(call, cells);
         if found.is_ok() || call.is_some() || cells.result.is_some() {
             return found;
         }
@@ -303,8 +336,10 @@ impl<'a> Fit<'a> {
         calls.last().copied().map(Some).ok_or_else(missing)
     }
 
-    /// The quantity of a call, or of any, with this result, with this setpoint, or the next one without a value.
-    fn quantity(&mut self, call: Option<usize>, name: Option<&str>, nominal: Option<Figure>) -> Result<usize, Unfit> {
+    /// The quantity of a call, or of any, with this result, with this setpoint, or the next one without a value. One
+    /// with another setpoint counts where the result is named, or setpoint, actual value and difference agree.
+    fn quantity(&mut self, call: Option<usize>, cells: &Cells) -> Result<usize, Unfit> {
+        let (name, nominal) = (cells.result, cells.nominal);
         if let (None, None, Some(nominal)) = (call, name, nominal) {
             return self.next(nominal).ok_or_else(|| Message::new("protocol-no-call"));
         }
@@ -314,21 +349,33 @@ impl<'a> Fit<'a> {
         let ahead = self.until.min(self.from + AHEAD);
         let range = call.map_or(self.from..ahead, |call| self.starts[call]..self.starts[call + 1]);
         let open = |index: &usize| self.quantities[*index].actual.is_none();
-        let named = |index: &usize| name.is_none_or(|name| self.quantities[*index].name == name);
+        let named = |index: &usize| name.is_none_or(|name| self.quantities[*index].name.eq_ignore_ascii_case(name));
         let of_set = |index: &usize| match (nominal, self.quantities[*index].set) {
             (Some(nominal), Some(set)) => nominal.is(set),
             _ => true,
         };
+        let sure = name.is_some() || cells.agree();
         let near = |index: &usize| match (nominal, self.quantities[*index].set) {
-            (Some(nominal), Some(set)) => call.is_some() && (nominal.value - set).abs() <= NEAR,
+            (Some(nominal), Some(set)) => call.is_some() && sure && (nominal.value - set).abs() <= NEAR,
             _ => false,
         };
         let all = || range.clone().filter(named).filter(open);
         let found = all().find(of_set).or_else(|| all().find(near));
         found.ok_or_else(|| match (name, nominal) {
             (Some(name), _) => Message::new("protocol-no-result").text("name", name),
+            (None, Some(nominal)) if range.clone().any(|index| self.has(index, nominal)) => {
+                Message::new("protocol-again").number("set", nominal.value)
+            }
             _ => Message::new("protocol-no-call"),
         })
+    }
+}
+
+impl Fit<'_> {
+    /// Whether a quantity has this setpoint, and its value.
+    fn has(&self, index: usize, nominal: Figure) -> bool {
+        let Quantity { set, actual, .. } = self.quantities[index];
+        actual.is_some() && set.is_some_and(|set| nominal.is(set))
     }
 }
 
@@ -392,7 +439,7 @@ fn beside(name: &str, by: i64) -> Option<String> {
 }
 
 /// Whether a figure is the difference of setpoint and actual value, as all three are rounded.
-fn is_difference(set: Figure, actual: Figure, by: Figure) -> bool {
+pub(super) fn is_difference(set: Figure, actual: Figure, by: Figure) -> bool {
     Figure { half: by.half + actual.half + set.half, ..by }.is(actual.value - set.value)
 }
 

@@ -1,7 +1,9 @@
 //! The headings of a table that somebody else made: which of its columns is which, by the words that such tables use.
 
 use super::text::{Figure, Line};
-use super::{Column, Columns};
+use super::{Column, Columns, by_number};
+use crate::catalogue::CYCLES;
+use crate::message::Message;
 
 /// Lines in which the headings of a table are looked for.
 pub const HEAD: usize = 100;
@@ -10,6 +12,8 @@ pub const HEAD: usize = 100;
 const NUMBER: &[&str] = &["number", "no", "no.", "nr", "nr.", "nummer", "#", "序号", "编号"];
 const LINE: &[&str] = &["line", "program line", "zeile", "programmzeile", "行", "程序行"];
 const RESULT: &[&str] = &["variable", "parameter", "ergebnisparameter", "变量", "参数"];
+/// Words that may also stand above a verdict: they count above names of results.
+const RESULT_OR_VERDICT: &[&str] = &["result", "ergebnis", "resultat", "结果"];
 const NOMINAL: &[&str] = &[
     "setpoint", "set", "set value", "nominal", "nominal value", "target", "soll", "sollwert", "nennmaß", "nennmass",
     "设定值", "名义值", "标称值", "理论值",
@@ -48,7 +52,8 @@ fn table(heads: &Line, below: &[Line]) -> Option<Columns> {
     let found = named(heads)?;
     // `Nr` above names is no number of a call
     let numbered = |column: &Column| below.iter().take(HEAD).any(|line| figure(line, column).is_some());
-    let found = Columns { number: found.number.filter(numbered), ..found };
+    let named = |column: &Column| RESULT.contains(&plain(&column.name).as_str()) || names_results(column, below);
+    let found = Columns { number: found.number.filter(numbered), result: found.result.filter(named), ..found };
     let values = found.actual.is_some() || found.nominal.is_some() && found.deviation.is_some();
     let Columns { number, line, result, nominal, deviation, .. } = &found;
     let places = [number, line, result, nominal, deviation].into_iter().any(Option::is_some);
@@ -73,13 +78,40 @@ fn named(line: &Line) -> Option<Columns> {
     let found = Columns {
         number: find(NUMBER),
         line: find(LINE),
-        result: find(RESULT),
+        result: find(RESULT).or_else(|| find(RESULT_OR_VERDICT)),
         nominal: find(NOMINAL),
         actual: find(ACTUAL),
         deviation: find(DEVIATION),
     };
     let is_known = found.all().next().is_some();
     is_known.then_some(found)
+}
+
+/// Whether names of results stand below a heading.
+fn names_results(column: &Column, below: &[Line]) -> bool {
+    let is_result = |name: &str| {
+        let mut results = CYCLES.iter().flat_map(|cycle| cycle.results);
+        results.any(|field| field.name.eq_ignore_ascii_case(name))
+    };
+    below.iter().take(HEAD).filter_map(|line| line.fields.get(column.index)).any(|field| is_result(field))
+}
+
+/// Says that another column could be meant as well as one that was taken by its heading; none: each is named once.
+/// `words`: whether the words of headings were looked for, and not a heading that somebody chose.
+pub fn twice(heads: &Line, columns: &Columns, words: bool) -> Option<Message> {
+    let Columns { number, line, result, nominal, actual, deviation } = columns;
+    let lists = [NUMBER, LINE, RESULT, NOMINAL, ACTUAL, DEVIATION];
+    let taken = [number, line, result, nominal, actual, deviation].into_iter().zip(lists);
+    let mut found = taken.filter_map(|(column, list)| {
+        let column = column.as_ref().filter(|column| by_number(&column.name).is_none())?;
+        let own = plain(&column.name);
+        let same = |field: &str| plain(field) == own || words && list.contains(&plain(field).as_str());
+        let mut fields = heads.fields.iter().enumerate();
+        let (other, _) = fields.find(|(index, field)| *index != column.index && same(field))?;
+        let told = Message::new("protocol-two-columns").text("name", &column.name);
+        Some(told.number("first", (column.index + 1) as f64).number("other", (other + 1) as f64))
+    });
+    found.next()
 }
 
 /// A heading without the unit behind it: `Actual [mm]`, `Ist (mm)`.

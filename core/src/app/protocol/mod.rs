@@ -192,6 +192,11 @@ pub fn laid(
     let missing = calls.len() - values.len();
     let arrows = arrows::arrows(&values, outcome);
     let answers = answers(calls, &values, outcome);
+    let twice = tables.iter().filter_map(|table| {
+        let heads = &lines[table.head?];
+        Some(ProtocolLine::of(heads, heads::twice(heads, &table.columns, columns.is_none())?))
+    });
+    doubtful.extend(twice);
     doubtful.extend(quantities.into_iter().filter_map(|one| within(one, &answers)));
     doubtful.sort_by_key(|one| (one.file, one.line));
     let about = RecordAbout::measured(setup);
@@ -338,6 +343,12 @@ impl Columns {
         [number, line, result, nominal, actual, deviation].into_iter().flatten()
     }
 
+    /// A column that is named for two things.
+    fn shared(&self) -> Option<&Column> {
+        let mut others = self.all().enumerate();
+        others.find(|(at, one)| self.all().take(*at).any(|other| other.index == one.index)).map(|(_, one)| one)
+    }
+
     /// Those that hold figures.
     fn figures(&self) -> impl Iterator<Item = &Column> {
         let Columns { number, line, nominal, actual, deviation, .. } = self;
@@ -371,6 +382,9 @@ impl Columns {
             let fields = first.map_or_else(String::new, |line| line.fields.join(" | "));
             return Err(Error::new("protocol-no-column", Path::default()).text("name", name).text("fields", fields));
         };
+        if let Some(column) = columns.shared() {
+            return Err(Error::new("protocol-same-column", Path::default()).text("name", &column.name));
+        }
         let headed = named.iter().any(|name| by_number(name).is_none());
         Ok((columns, headed.then_some(at)))
     }

@@ -557,3 +557,78 @@ fn a_log_with_the_nominal_value_is_judged_by_the_same_limits() {
         }
     }
 }
+
+// oracle: manual B:11356 (the mark is what the program says), B:13174 (decimals), hand: what the machine measured,
+// rounded; a number of which nobody can tell whether its last digit is the mark is told
+#[test]
+fn a_log_is_read_with_the_marks_of_its_program() {
+    let (real, nominal) = (machine(0.24, [0.3, -0.2]), machine(0.0, [0.0; 2]));
+    let marks = ["*", "#", "1", "0", "E", "e", "ä", ".", "'", "-", "+", "|", "%", "←", " ", ""];
+    let texts = marks.iter().flat_map(|mark| [0_i32, 1, 3, 4].map(|digits| (*mark, digits)));
+    for ((mark, digits), separator) in texts.flat_map(|one| [",", ";", "/"].map(|separator| (one, separator))) {
+        let symbols = format!("_PROTSYM[0]=\"{separator}\" _PROTSYM[1]=\"{mark}\" _DIGIT={digits}");
+        let text = PROGRAM.replace("_PROTSYM[0]=\",\" _PROTSYM[1]=\"*\"", &symbols);
+        let done = |setup: &Setup| {
+            let program = syntax::read(Dialect::Sinumerik, text.as_bytes());
+            Session::new(program, setup, Limits::default()).complete()
+        };
+        let outcome = done(&real);
+        let record = Record::new(String::new(), &real, &outcome, Vec::new());
+        let (_, log) = outcome.files.iter().next().unwrap_or_else(|| panic!("{symbols} {:?}", outcome.stop));
+        let view = laid(&[log.join("\n")], None, &nominal, &done(&nominal)).unwrap();
+        let name = format!("{symbols}\n{}\n{:#?}", log.join("\n"), view.unfit);
+        let is_either = digits == 0 && mark.parse::<u32>().is_ok();
+        let (read, measured) = (values(&view.answers), values(&record.calls));
+        assert_eq!(read.len(), if is_either { 6 } else { measured.len() }, "{name}");
+        let half = 0.51 * 0.1_f64.powi(digits);
+        assert!(read.iter().all(|one| measured.iter().any(|other| (one - other).abs() < half)), "{read:?} {name}");
+        assert_eq!(view.unfit.iter().any(|one| one.why.key == "protocol-mark"), is_either, "{name}");
+        assert!(view.unfit.iter().all(|one| one.why.key != "protocol-no-call"), "{name}");
+    }
+}
+
+// oracle: hand: a measurement that stands there twice is no other quantity; a result that is named is that one
+#[test]
+fn a_line_that_is_repeated_is_told() {
+    let at = |text: &str| {
+        let view = onto_nominal(text, None).unwrap();
+        let told: Vec<_> = view.unfit.iter().map(|one| (one.line, one.why.key.to_string())).collect();
+        (values(&view.answers), told)
+    };
+    let again = |line| vec![(line, "protocol-again".to_owned())];
+    assert_eq!(at("Nr;Soll;Ist\n1;50,000;50,015\n1;50;50,016\n"), (vec![50.015], again(3)));
+    assert_eq!(at("Nr;Soll;Ist;Abw\n1;50,000;50,015;0,015\n1;50;50,016;0,5\n").1.len(), 1);
+    // a centre is expected at 3 by the log: all three figures agree, or its result is named
+    let centre = "Nr;Soll;Ist;Abw\n1;50,000;50,015;0,015\n1;3;3,016;0,016\n";
+    assert_eq!(at(centre), (vec![50.015, 3.016], Vec::new()));
+    for head in ["Result", "Ergebnis", "Variable"] {
+        let named = format!("Nr;{head};Soll;Ist\n1;_OVR[6];0;0,016\n1;_ovr[4];50;50,015\n");
+        let (all, told) = at(&named);
+        assert_eq!((&all[..], told.len()), (&[50.015, 0.016][..], 0), "{named}");
+    }
+    // above a verdict stands no name
+    let (all, told) = at("Nr;Ergebnis;Soll;Ist\n1;i.O.;50;50,015\n2;n.i.O.;50;50,2\n");
+    assert_eq!((&all[..], told.len()), (&[50.015, 50.2][..], 0));
+}
+
+// oracle: hand
+#[test]
+fn columns_that_could_be_meant_as_well_are_told() {
+    let keys = |text: &str, chosen: Option<&ProtocolColumns>| {
+        let view = onto_nominal(text, chosen).unwrap();
+        assert_eq!(values(&view.answers), [50.015], "{text}");
+        view.doubtful.iter().map(|one| (one.line, one.why.key.to_string())).collect::<Vec<_>>()
+    };
+    let told = [(1, "protocol-two-columns".to_owned())];
+    assert_eq!(keys("Nr;Soll;Ist;Ist\n1;50;50,015;50,3\n", None), told);
+    assert_eq!(keys("Nr;Soll;Ist;Messwert\n1;50;50,015;50,3\n", None), told);
+    let named = columns(&[("nominal", "Soll"), ("actual", "ist")]);
+    assert_eq!(keys("Nr;Soll;Ist;Ist\n1;50;50,015;50,3\n", Some(&named)), told);
+    assert_eq!(keys("Nr;Soll;Ist;Messwert\n1;50;50,015;50,3\n", Some(&named)), []);
+    let numbered = columns(&[("nominal", "2"), ("actual", "3")]);
+    assert_eq!(keys("Nr;Soll;Ist;Ist\n1;50;50,015;50,3\n", Some(&numbered)), []);
+    for same in [columns(&[("nominal", "2"), ("actual", "2")]), columns(&[("nominal", "Soll"), ("actual", "2")])] {
+        let refused = onto_nominal("Nr;Soll;Ist\n1;50;50,015\n", Some(&same)).unwrap_err();
+        assert_eq!(refused.message.key, "protocol-same-column");
+    }
+}

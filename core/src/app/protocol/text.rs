@@ -1,5 +1,6 @@
 //! The lines of a protocol in fields, and the figures in them, whatever wrote it: the log of a control, a table.
 
+use crate::catalogue::log::{self, Layout, Unmarked};
 use crate::control::Units;
 use crate::foreign::{self, Log, LogRow};
 
@@ -22,6 +23,8 @@ pub struct Line {
     pub factor: f64,
     /// Smallest and largest permissible value where the log has them, in the unit of the calls.
     pub limits: Option<[f64; 2]>,
+    /// Whether it is of a log that the cycles of the control wrote.
+    pub own: bool,
 }
 
 /// A figure with as many decimals as it has.
@@ -57,6 +60,7 @@ pub fn lines(file: usize, text: &str, units: Units) -> Vec<Line> {
         return logs.into_iter().flat_map(|log| of_log(file, log, units)).collect();
     }
     let parted = parted(text);
+    let own = log::is_log(text) || text.lines().any(|line| of_heading(line).is_some());
     let physical: Vec<&str> = text.lines().collect();
     let (mut read, mut at) = (Vec::new(), 0);
     while at < physical.len() {
@@ -65,7 +69,7 @@ pub fn lines(file: usize, text: &str, units: Units) -> Vec<Line> {
         if whole.text.contains(char::is_alphanumeric) {
             let fault = if whole.is_open { Some(Fault::Quote) } else { is_cut(&whole, parted).then_some(Fault::Comma) };
             let Record { text, fields, .. } = whole;
-            read.push(Line { file, number, text, fields, fault, parted, factor: 1.0, limits: None });
+            read.push(Line { file, number, text, fields, fault, parted, factor: 1.0, limits: None, own });
         }
     }
     read
@@ -161,10 +165,23 @@ fn of_row(file: usize, row: LogRow, lengths: f64) -> Line {
     let limit = |text: &str| Some(Figure::of(text)?.times(factor).value);
     let limits = limit(&row.minimum).zip(limit(&row.maximum)).map(|(low, high)| [low, high]);
     let fields = vec![row.label, row.nominal, row.actual, row.deviation];
-    Line { file, number: row.line, text: fields.join(" "), fields, fault: None, parted: Some(';'), factor, limits }
+    let (text, parted) = (fields.join(" "), Some(';'));
+    Line { file, number: row.line, text, fields, fault: None, parted, factor, limits, own: false }
 }
 
+/// A mark that no number has (B:11355).
+const MARK: char = '#';
+
 impl Line {
+    /// The same, where its log has marks of its own: with the same one behind each number that has one.
+    pub fn marked_alike(&self, layout: &Layout) -> Line {
+        let alike = |field: &String| match layout.unmarked(field) {
+            Unmarked::Before(number) => format!("{number}{MARK}"),
+            Unmarked::Plain | Unmarked::Either => field.clone(),
+        };
+        Line { fields: self.fields.iter().map(alike).collect(), ..self.clone() }
+    }
+
     /// A field as a figure in the unit of the calls; none: it is none.
     pub fn figure(&self, field: &str) -> Option<Figure> {
         Figure::of(field).map(|figure| figure.times(self.factor))

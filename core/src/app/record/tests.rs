@@ -4,7 +4,7 @@
 use super::table::COLUMNS;
 use super::*;
 use crate::app::{self, Verdict};
-use crate::control::Plane;
+use crate::control::{Plane, Units};
 use crate::json;
 use crate::run::{Limits, Session};
 use crate::syntax;
@@ -51,6 +51,21 @@ fn a_row_has_its_limits_and_how_much_of_them_is_used() {
         assert!(near(limits.used.unwrap(), used), "{limits:?}");
         assert_eq!(call.answer.verdict == Verdict::Within, used <= 1.0, "{call:?}");
         assert_eq!(call.alarms.is_empty(), used <= 1.0, "{:?}", call.alarms);
+    }
+}
+
+// oracle: manual B:1787-1795 (a result counts in the system that was active at its call), hand
+#[test]
+fn a_result_keeps_the_unit_of_its_call() {
+    let mut setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
+    setup.suit(crate::catalogue::find(Dialect::Sinumerik, "CYCLE977").unwrap(), 1);
+    setup.workpiece = hole(0.03);
+    for (text, units) in [(MEASURE.to_owned(), Units::Metric), (MEASURE.replace("M30", "G70\nM30"), Units::Metric)] {
+        let program = syntax::read(Dialect::Sinumerik, text.as_bytes());
+        let outcome = Session::new(program, &setup, Limits::default()).complete();
+        let left = outcome.left();
+        assert_eq!(left.iter().map(|one| one.units).collect::<Vec<_>>(), [units], "{text}");
+        assert!(left[0].results.iter().any(|(field, value)| field.name == "_OVR[4]" && near(*value, 50.03)));
     }
 }
 

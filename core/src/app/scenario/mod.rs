@@ -52,6 +52,8 @@ pub struct CaseView {
     pub oracle: String,
     /// How it differs from the expectation; empty: it holds.
     pub differences: Vec<Message>,
+    /// What it does not prove although it holds.
+    pub unproven: Vec<Message>,
 }
 
 /// Carries out a scenario, each case from the beginning.
@@ -76,14 +78,27 @@ pub fn scenario(asked: ScenarioRequest) -> Result<ScenarioView, Error> {
         let within = |refused: Error| refused.within(Step::Element(index)).within(member("cases"));
         let setup = scenario.machine(case).map_err(within)?;
         case.expect.proves().map_err(|refused| within(refused.within(member("expect"))))?;
-        let differences = match replaced(&program, case) {
-            Ok(text) => differences(&case.expect, &carried_out(&scenario, &setup, text.into(), with.clone())),
-            Err(message) => vec![message],
+        let (differences, unproven) = match replaced(&program, case) {
+            Ok(text) => {
+                let outcome = carried_out(&scenario, &setup, text.into(), with.clone());
+                (differences(&case.expect, &outcome), unproven(&outcome))
+            }
+            Err(message) => (vec![message], Vec::new()),
         };
-        Ok(CaseView { id: case.id.clone(), oracle: source(&case.oracle), differences })
+        let unproven = if differences.is_empty() { unproven } else { Vec::new() };
+        Ok(CaseView { id: case.id.clone(), oracle: source(&case.oracle), differences, unproven })
     });
     let cases = cases.collect::<Result<Vec<_>, Error>>()?;
     Ok(ScenarioView { source: source(&scenario.source), cases })
+}
+
+/// Says that a run called no cycle, and what it went on without, where it did.
+fn unproven(outcome: &Outcome) -> Vec<Message> {
+    if !outcome.left().is_empty() {
+        return Vec::new();
+    }
+    let without = (!outcome.passed_over.is_empty()).then(|| outcome.ending(|line| (None, line)));
+    std::iter::once(Message::new("scenario-unmeasured")).chain(without).collect()
 }
 
 /// Where figures come from, as a reader looks it up.

@@ -139,11 +139,11 @@ fn print(carried: &Carried, words: &Words, out: &mut dyn Write) -> std::io::Resu
             return if why.placed { writeln!(out, "    {}", words.key("scenario-cure")) } else { Ok(()) };
         }
     };
-    for CaseView { id, differences, .. } in &view.cases {
+    for CaseView { id, differences, unproven, .. } in &view.cases {
         let how = if differences.is_empty() { "terminal-test-passed" } else { "terminal-test-failed" };
         writeln!(out, "{}  {path}: {id}", words.key(how))?;
-        for difference in differences {
-            writeln!(out, "    {}", words.text(difference))?;
+        for told in differences.iter().chain(unproven) {
+            writeln!(out, "    {}", words.text(told))?;
         }
     }
     Ok(())

@@ -1,8 +1,8 @@
 //! What CYCLE105 prints: the header (B:11451-11500), or a block of values (B:11371-11411).
 
-use super::line::{Columns, Field, LONGEST, fields, printed};
+use super::line::{Columns, Field, LONGEST, fields, is_printed, printed};
 use super::names::{
-    COLUMN, FIRST_PAGE, HEAD_LINES, HEADLINES, LINE, MARK, PROGRAM, SEPARATOR, TITLES, VALUE_LINES, VALUES,
+    COLUMN, DIGITS, FIRST_PAGE, HEAD_LINES, HEADLINES, LINE, MARK, PROGRAM, SEPARATOR, TITLES, VALUE_LINES, VALUES,
 };
 use super::{NAMELESS, OWN_HEADER, refused};
 use crate::control::Control;
@@ -100,8 +100,42 @@ fn announce(machine: &mut dyn Machine, number: u32) {
     machine.record(Step::Alarm(Code::Alarm(number)));
 }
 
-/// What [`layout`] tells of a block of values, line by line.
-pub type Layout = Vec<Vec<Option<String>>>;
+/// What [`layout`] tells of the blocks of values of a log.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Layout {
+    /// The numbers that the columns of each line show, by their names; none: something else.
+    pub lines: Vec<Vec<Option<String>>>,
+    /// What stands behind a value out of tolerance (B:11356).
+    pub mark: String,
+    /// Decimals, as the control has them.
+    decimals: f64,
+}
+
+/// A number of a log without the mark behind it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unmarked<'a> {
+    /// It has none, or is no number.
+    Plain,
+    /// The number before the mark.
+    Before(&'a str),
+    /// Its last digit is the mark, or belongs to it: nobody can tell.
+    Either,
+}
+
+impl Layout {
+    /// What a cell has before its mark: the program says how many decimals are printed, and what the mark is, which may
+    /// be a digit, a letter or a decimal point as well.
+    pub fn unmarked<'a>(&self, cell: &'a str) -> Unmarked<'a> {
+        let mark = self.mark.trim();
+        let is_number = |text: &str| is_printed(text, self.decimals);
+        let before = cell.strip_suffix(mark).filter(|_| !mark.is_empty()).map(str::trim_end);
+        match before.filter(|before| is_number(before)) {
+            Some(_) if is_number(cell) => Unmarked::Either,
+            Some(before) => Unmarked::Before(before),
+            None => Unmarked::Plain,
+        }
+    }
+}
 
 /// Lines of a block of values.
 pub fn block(machine: &mut dyn Machine, subject: &Subject) -> Result<Vec<String>, Stop> {
@@ -127,12 +161,13 @@ pub fn block(machine: &mut dyn Machine, subject: &Subject) -> Result<Vec<String>
     Ok(lines)
 }
 
-/// The numbers that the columns of each line of a block of values show, by their names; none: something else.
+/// What the blocks of values show, and how.
 pub fn layout(control: &Control) -> Layout {
     let count = number(control, VALUE_LINES).max(0.0) as usize;
     let specified = VALUES.into_iter().take(count).map(|name| text(control, name)).filter(|line| !line.is_empty());
     let shown = |field| if let Field::Number(name) = field { Some(name.to_ascii_uppercase()) } else { None };
-    specified.map(|line| fields(line).map(shown).collect()).collect()
+    let lines = specified.map(|line| fields(line).map(shown).collect()).collect();
+    Layout { lines, mark: text(control, MARK).to_owned(), decimals: number(control, DIGITS) }
 }
 
 /// A line of values in their columns.

@@ -117,6 +117,17 @@ pub fn rounded(value: f64, decimals: f64) -> String {
     }
 }
 
+/// Whether a text is a number with so many decimals as [`rounded`] makes it.
+pub fn is_printed(text: &str, decimals: f64) -> bool {
+    let decimals = decimals.clamp(0.0, DECIMALS as f64) as usize;
+    let text = text.strip_prefix('-').unwrap_or(text);
+    let digits = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
+    match text.split_once('.') {
+        None => decimals == 0 && digits(text),
+        Some((whole, behind)) => behind.len() == decimals && digits(whole) && digits(behind),
+    }
+}
+
 /// Whether a number lies exactly between two with so many decimals: it then has one decimal more, and as many binary
 /// places as that.
 fn is_half(value: f64, decimals: usize) -> bool {

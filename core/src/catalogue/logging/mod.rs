@@ -19,7 +19,7 @@ mod tests;
 
 use crate::catalogue::prelude::*;
 use checks::checks;
-pub use contents::{Layout, is_log, layout};
+pub use contents::{Layout, Unmarked, is_log, layout};
 pub use keep::{LOG_DELETED, LOG_FULL};
 pub use picture::closed;
 use picture::picture;

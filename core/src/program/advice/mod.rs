@@ -1,5 +1,6 @@
 //! Warnings about a program as a whole: what a colleague who reads it from top to bottom would ask.
 
+mod around;
 mod at_call;
 mod behind;
 mod generation;
@@ -68,6 +69,7 @@ pub fn advice(program: &Program, sites: &[CallSite], control: &Control) -> Vec<D
     let known = older::look(program, &programs, &mut found);
     subprograms::outside(program, &programs, &known, &mut found);
     subprograms::misnamed(program, &programs, &mut found);
+    around::look(program, control, sites, &mut found);
     if program.grammar().by_address {
         nct::look(program, &programs, sites, &mut found);
         nct_levels::look(program, &programs, control, sites, &mut found);

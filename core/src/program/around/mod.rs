@@ -13,7 +13,7 @@ mod write;
 
 pub use absent::{Absent, absent};
 pub use read::{Found, found};
-pub use revise::{Around, inputs_at, revise};
+pub use revise::{Around, Carried, Stray, carried, inputs_at, revise, strays};
 pub use values::{choices, completed, preset, problem};
 pub use write::{Lines, Words, write};
 

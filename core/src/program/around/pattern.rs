@@ -1,7 +1,7 @@
 //! The lines of the blocks: made from values, and found again in a program.
 
 use crate::catalogue;
-use crate::control::AXES;
+use crate::control::{AXES, Plane};
 use crate::diagnostic::Span;
 use crate::dialect::Dialect;
 use crate::entry::{Inputs, address};
@@ -70,29 +70,76 @@ pub fn offset(inputs: &Inputs) -> Option<i64> {
     (number.fract() == 0.0 && NAMED.contains(&number)).then_some(number as i64)
 }
 
+/// What lines name that stand around a call: they belong to a call that has the same.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Place {
+    /// Work offset of NCT, 0 the common one; none: the call names none.
+    pub offset: Option<i64>,
+    /// Working plane.
+    pub plane: Plane,
+}
+
+impl Place {
+    /// That of a call.
+    pub fn of(inputs: &Inputs) -> Place {
+        Place { offset: offset(inputs), plane: inputs.plane }
+    }
+
+    /// Those of other calls.
+    fn others(self, dialect: Dialect) -> Vec<Place> {
+        let all: Vec<Place> = match dialect {
+            Dialect::Sinumerik => [Plane::G17, Plane::G18, Plane::G19].map(|plane| Place { plane, ..self }).into(),
+            Dialect::Nct => {
+                let (first, last) = (*NAMED.start() as i64, *NAMED.end() as i64);
+                (first..=last).map(|number| Place { offset: Some(number), ..self }).collect()
+            }
+        };
+        all.into_iter().filter(|place| *place != self).collect()
+    }
+}
+
 /// What the call gives: the variables of its work offset (`s1` to `s3`) and those of the one from which it is
 /// calculated (`o1` to `o3`, #4014 is the G function of the active one), the result with the alarm, the cycles of the
 /// log, the axes of the plane.
+const GIVEN: [&str; 11] = ["alarm", "on", "off", "abscissa", "ordinate", "s1", "s2", "s3", "o1", "o2", "o3"];
+
+/// Whether the call gives what has this name.
+pub fn is_given(name: &str) -> bool {
+    GIVEN.contains(&name)
+}
+
+/// One of these at a call.
 pub fn given(name: &str, inputs: &Inputs) -> Option<String> {
+    given_at(name, inputs, Place::of(inputs))
+}
+
+/// The place of which all that is given in these lines is; that of the call comes first.
+pub fn place_of(bound: &[Bound], inputs: &Inputs) -> Option<Place> {
+    let own = Place::of(inputs);
+    let mut places = std::iter::once(own).chain(own.others(inputs.cycle.dialect));
+    let mut given = bound.iter().filter(|bound| is_given(bound.name));
+    places
+        .find(|place| given.clone().all(|bound| given_at(bound.name, inputs, *place).as_ref() == Some(&bound.text)))
+        .filter(|place| *place == own || given.next().is_some())
+}
+
+fn given_at(name: &str, inputs: &Inputs, place: Place) -> Option<String> {
+    let offset = || place.offset;
+    let axis_of = |index: usize| AXES[place.plane.axes()[index]].to_string();
     let axis = || name.get(1..).and_then(|digit| digit.parse::<i64>().ok()).map(|axis| axis - 1);
     match name {
         "alarm" => inputs.cycle.alarm_result().map(|field| field.name.to_owned()),
         "on" => Some(catalogue::log_switches()[0].to_owned()),
         "off" => Some(catalogue::log_switches()[1].to_owned()),
-        "abscissa" => Some(axis_of(inputs, 0)),
-        "ordinate" => Some(axis_of(inputs, 1)),
-        "s1" | "s2" | "s3" => Some((OFFSETS + APART * offset(inputs)? + axis()?).to_string()),
-        "o1" | "o2" | "o3" => Some(match offset(inputs)? {
+        "abscissa" => Some(axis_of(0)),
+        "ordinate" => Some(axis_of(1)),
+        "s1" | "s2" | "s3" => Some((OFFSETS + APART * offset()? + axis()?).to_string()),
+        "o1" | "o2" | "o3" => Some(match offset()? {
             0 => (OFFSETS + axis()?).to_string(),
             _ => format!("[{}+{APART}*#4014]", OFFSETS - 53 * APART + axis()?),
         }),
         _ => None,
     }
-}
-
-/// Name of an axis of the working plane of the call: 0 the abscissa, 1 the ordinate.
-fn axis_of(inputs: &Inputs, place: usize) -> String {
-    AXES[inputs.plane.axes()[place]].to_string()
 }
 
 /// A line with its values.
@@ -171,8 +218,11 @@ fn fits(line: &Squeezed, pieces: &[Piece<'static>], inputs: &Inputs, known: &mut
             }
             Piece::Hole(name) => *name,
         };
-        if let Some(text) = given(name, inputs) {
-            at += rest.starts_with(text.as_bytes()).then_some(text.len())?;
+        if is_given(name) {
+            let text = given_there(name, inputs, rest)?;
+            let end = at + text.len();
+            bind(known, name, text, line.span(at, end)?)?;
+            at = end;
             continue;
         }
         let before = known.iter().find(|bound| bound.name == name).map(|bound| bound.text.len());
@@ -189,6 +239,14 @@ fn fits(line: &Squeezed, pieces: &[Piece<'static>], inputs: &Inputs, known: &mut
         at = end;
     }
     (at == line.bytes.len()).then_some(())
+}
+
+/// What stands there of what the call gives, or another call would give.
+fn given_there(name: &str, inputs: &Inputs, rest: &[u8]) -> Option<String> {
+    let own = Place::of(inputs);
+    let others = own.others(inputs.cycle.dialect).into_iter();
+    let texts = std::iter::once(own).chain(others).filter_map(|place| given_at(name, inputs, place));
+    texts.into_iter().find(|text| rest.starts_with(text.as_bytes()))
 }
 
 /// A text of a block, as a line is compared with it.

@@ -1,6 +1,6 @@
 //! The blocks around a call of a program, found by their lines.
 
-use super::pattern::{Bound, matches};
+use super::pattern::{Bound, Place, matches, place_of};
 use super::values::problem;
 use super::{Block, Field, Kind, Line, blocks};
 use crate::diagnostic::Span;
@@ -20,6 +20,9 @@ pub struct Found {
     pub before: Vec<usize>,
     /// Those behind it.
     pub after: Vec<usize>,
+    /// Where a call measures to which it belongs: another place than that of its call, where a value of the call was
+    /// changed without it.
+    pub place: Place,
 }
 
 impl Found {
@@ -72,7 +75,8 @@ fn at(program: &Program, block: &'static Block, inputs: &Inputs, top: usize, bot
     for one in &mut bound {
         one.places.sort_by_key(|place| place.start);
     }
-    let found = Found { block, bound, before, after };
+    let place = place_of(&bound, inputs)?;
+    let found = Found { block, bound, before, after, place };
     let values = found.values();
     let right = |field: &Field| {
         let free = matches!(field.kind, Kind::Limit | Kind::Text); // of these the form tells what is wrong

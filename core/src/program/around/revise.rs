@@ -1,8 +1,9 @@
 //! The blocks around a call of a program, added, changed in place and taken away.
 
+use super::pattern::{Place, given, is_given};
 use super::read::{Found, found, passed};
-use super::values::{problem, value};
-use super::{Block, Words, block, blocks, write};
+use super::values::{choices, preset, problem, value};
+use super::{Block, Kind, Words, block, blocks, write};
 use crate::check;
 use crate::control::Control;
 use crate::diagnostic::{Edit, Span};
@@ -10,7 +11,7 @@ use crate::entry::{Inputs, Typed};
 use crate::program::calls::CallSite;
 use crate::program::change::line_end;
 use crate::syntax::Program;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// A block that is wanted, with its values as typed.
 #[derive(Clone, Debug, PartialEq)]
@@ -67,9 +68,85 @@ fn rank(program: &Program, block: &Block) -> usize {
     all.iter().rev().position(|other| other.name == block.name).unwrap_or(all.len())
 }
 
-/// New values at each place where the old ones stand; a value that cannot be written changes nothing.
+/// Blocks around a call of which a value has changed, as they belong to it now.
+#[derive(Debug, Default)]
+pub struct Carried {
+    /// What changes in their lines.
+    pub edits: Vec<Edit>,
+    /// Lines that change, from 1.
+    pub lines: BTreeSet<u32>,
+    /// First lines of blocks that do not belong to the call any more, from 1.
+    pub left: BTreeSet<u32>,
+}
+
+/// Blocks that suited a call as it was (`before`), for what it is `now`: what the call gives them is that of the call as
+/// it is, and what followed from its values by itself follows again; what was chosen otherwise stays.
+pub fn carried(program: &Program, site: &CallSite, before: &Inputs, now: &Inputs) -> Carried {
+    let mut carried = Carried::default();
+    if program.is_of_macro(site.span) {
+        return carried;
+    }
+    for one in found(program, site, before).iter().filter(|one| one.place == Place::of(before)) {
+        let mut edits = given_anew(one, now);
+        let mut suits = edits.is_some() && (one.block.suits(now) || !one.block.suits(before));
+        for (field, bound) in one.bound.iter().filter_map(|bound| Some((one.block.field(bound.name)?, bound))) {
+            let follows = matches!(field.kind, Kind::Result | Kind::Deviation | Kind::Side);
+            let value =
+                if follows && bound.text == preset(field, before) { preset(field, now) } else { bound.text.clone() };
+            if follows && !choices(field, now).iter().any(|(choice, _)| *choice == value) {
+                suits = false;
+            } else if value != bound.text {
+                let places = bound.places.iter().map(|place| Edit::replace(*place, value.clone()));
+                edits.iter_mut().for_each(|edits| edits.extend(places.clone()));
+            }
+        }
+        let edits = edits.unwrap_or_default();
+        if suits {
+            carried.lines.extend(edits.iter().map(|edit| program.line_of(edit.span.start) + 1));
+            carried.edits.extend(edits);
+        } else {
+            carried.left.extend(one.before.first().or(one.after.first()).map(|line| *line as u32 + 1));
+        }
+    }
+    carried.edits.sort_by_key(|edit| edit.span.start);
+    carried
+}
+
+/// What the call gives, where other text stands in the lines of a block; none: the call gives it not any more.
+fn given_anew(one: &Found, inputs: &Inputs) -> Option<Vec<Edit>> {
+    let of_call = one.bound.iter().filter(|bound| is_given(bound.name));
+    let edits = of_call.map(|bound| {
+        let text = given(bound.name, inputs)?;
+        let places = bound.places.iter().filter(|_| text != bound.text);
+        Some(places.map(|place| Edit::replace(*place, text.clone())).collect::<Vec<_>>())
+    });
+    Some(edits.collect::<Option<Vec<_>>>()?.concat())
+}
+
+/// A block whose lines belong to a call with other values, and the edits with which they belong to this one; none where
+/// that is not possible.
+pub struct Stray {
+    /// Where it names the other place first.
+    pub at: Span,
+    /// What changes in its lines.
+    pub edits: Vec<Edit>,
+}
+
+/// Blocks around a call whose lines name another work offset, or the axes of another plane.
+pub fn strays(program: &Program, site: &CallSite, inputs: &Inputs) -> Vec<Stray> {
+    let away = |one: &Found| one.place != Place::of(inputs);
+    let stray = |one: &Found| {
+        let named = one.bound.iter().filter(|bound| is_given(bound.name)).flat_map(|bound| &bound.places);
+        let at = named.min_by_key(|place| place.start).copied()?;
+        Some(Stray { at, edits: given_anew(one, inputs).unwrap_or_default() })
+    };
+    found(program, site, inputs).iter().filter(|one| away(one)).filter_map(stray).collect()
+}
+
+/// New values at each place where the old ones stand, and what the call gives; a value that cannot be written changes
+/// nothing.
 fn changed(one: &Found, typed: &Typed, inputs: &Inputs, words: Words) -> Vec<Edit> {
-    let mut edits = Vec::new();
+    let mut edits = given_anew(one, inputs).unwrap_or_default();
     for bound in &one.bound {
         let Some(field) = one.block.field(bound.name) else { continue };
         let same = typed.get(field.name).is_some_and(|typed| *typed == bound.text);

@@ -5,7 +5,7 @@ use crate::check::{Parsed, parse};
 use crate::dialect::Dialect;
 use crate::entry::{Element, Inputs, ResultField, Typed, names};
 use crate::message::Message;
-use crate::program::of_control::is_of_control;
+use crate::program::of_control::is_taken;
 use crate::range::Range;
 
 /// Longest name of a label, a program or a file, characters.
@@ -93,12 +93,16 @@ fn plain(kind: &Kind, entered: &str) -> String {
     }
 }
 
+/// Whether a sign ends a text of the program, or its line.
+fn ends(one: char, dialect: Dialect) -> bool {
+    one.is_control() || one == '"' || dialect == Dialect::Nct && matches!(one, '(' | ')')
+}
+
 /// A text without what would end it.
 fn text(entered: &str, dialect: Dialect) -> String {
-    let ends = |one: char| one.is_control() || one == '"' || dialect == Dialect::Nct && matches!(one, '(' | ')');
     entered
         .chars()
-        .map(|one| if ends(one) { ' ' } else { one })
+        .map(|one| if ends(one, dialect) { ' ' } else { one })
         .take(LONGEST_TEXT)
         .collect::<String>()
         .trim()
@@ -116,7 +120,8 @@ pub fn problem(block: &Block, field: &Field, typed: &Typed, inputs: &Inputs) -> 
     match &field.kind {
         Kind::Result | Kind::Deviation | Kind::Side => {
             let known = choices(field, inputs).iter().any(|(choice, _)| *choice == value);
-            if known { None } else { about("around-wrong-choice") }
+            let key = if matches!(field.kind, Kind::Side) { "around-wrong-side" } else { "around-wrong-choice" };
+            if known { None } else { about(key) }
         }
         Kind::Limit => match parse(&value) {
             Parsed::Number(number) if number >= 0.0 => None,
@@ -125,7 +130,7 @@ pub fn problem(block: &Block, field: &Field, typed: &Typed, inputs: &Inputs) -> 
         Kind::Whole(range) | Kind::Variable(range) => whole(&value, range),
         Kind::Program | Kind::Target if nct => whole(&value, &NUMBERS),
         Kind::Program | Kind::Target => {
-            let free = is_program(&value) && !is_of_control(&value);
+            let free = is_program(&value) && !is_taken(&value);
             if free { None } else { about("around-wrong-name") }
         }
         Kind::File | Kind::NewFile => {
@@ -135,9 +140,19 @@ pub fn problem(block: &Block, field: &Field, typed: &Typed, inputs: &Inputs) -> 
                 about("around-wrong-name")
             }
         }
-        Kind::Text => None,
+        Kind::Text => unprinted(typed.get(field.name)?.trim(), inputs.cycle.dialect),
     }
     .or_else(|| twice(block, field, typed, inputs))
+}
+
+/// What of a text would not stand in the program as it was entered.
+fn unprinted(entered: &str, dialect: Dialect) -> Option<Message> {
+    if let Some(sign) = entered.chars().find(|one| ends(*one, dialect)) {
+        let sign = if sign.is_control() { "\u{2424}".to_owned() } else { sign.to_string() };
+        return Some(Message::new("around-wrong-sign").text("sign", sign));
+    }
+    let long = entered.chars().count() > LONGEST_TEXT;
+    long.then(|| Message::new("around-wrong-long").number("most", LONGEST_TEXT as f64))
 }
 
 /// Two programs of a block are not the same one.
