@@ -3,9 +3,9 @@
 
 use super::Error;
 use super::machine::{MachineField, MachineView, with_values};
-use super::machine_check::{Exported, ExportedFile, Files, Given, MachineFault, TO_ENTER, unread};
+use super::machine_check::{Exported, ExportedFile, Files, Given, MachineFault, Place, TO_ENTER, no_element, unread};
 use super::start::{Machine, start};
-use crate::control::arrays::stem;
+use crate::control::arrays::{split, stem};
 use crate::control::gud::{self, Block, Gud};
 use crate::control::needs::{GUD_MEMORY, GUD_MEMORY_SOURCE, GUD_VALUES, NEEDS, Test, Use};
 use crate::control::{
@@ -154,7 +154,11 @@ const SAVED: [(&str, &str); 5] = [
     (SETTINGS, SETTINGS),
 ];
 
-/// What is to be done, in its order (B:13262-13292, B:14157-14168).
+/// The file with the data of measuring in JOG: it is loaded, and GUD7.DEF, which takes it along, is activated
+/// (B:14577-14604; A:15584 activates both).
+const OF_JOG: &str = "GUD7_MC.DEF";
+
+/// What is to be done, in its order (B:13262-13292, B:14157-14168, B:14532-14604).
 fn notes(files: &[DefinitionsText], channels: u32) -> Vec<Message> {
     if files.iter().any(|file| file.name == SETTINGS) {
         return vec![Message::new("definitions-settings").number("channels", f64::from(channels))];
@@ -165,8 +169,16 @@ fn notes(files: &[DefinitionsText], channels: u32) -> Vec<Message> {
         notes.push(Message::new("definitions-insert").text("files", names.join(", ")));
         notes.push(Message::new("definitions-save"));
     }
-    if names.contains(&"GUD7_MC.DEF") {
+    let activated: Vec<&str> = names.iter().copied().filter(|name| *name != OF_JOG).collect();
+    if !activated.is_empty() {
+        notes.push(Message::new("definitions-activate").text("files", activated.join(", ")));
+    }
+    if names.contains(&OF_JOG) {
+        notes.push(Message::new("definitions-load"));
         notes.push(Message::new("definitions-older"));
+    }
+    if !names.is_empty() {
+        notes.push(Message::new("definitions-reset"));
     }
     if files.iter().any(|file| file.name == PROGRAM) {
         notes.push(Message::new("definitions-program").text("name", PROGRAM).number("channels", f64::from(channels)));
@@ -284,7 +296,7 @@ pub fn read_back(asked: ReadBackRequest) -> Result<ReadBack, Error> {
     if becomes_newer {
         times.push(typed.clone());
     }
-    let machine = with_values(asked.setup, basic, &times)?;
+    let mut machine = with_values(asked.setup, basic, &times)?;
     control.basic_units = machine.basic;
     for (name, value) in &machine.data {
         control.data.insert(name.clone(), value.clone());
@@ -293,8 +305,19 @@ pub fn read_back(asked: ReadBackRequest) -> Result<ReadBack, Error> {
     let there: BTreeSet<&str> =
         machine.groups.iter().flat_map(|group| &group.fields).map(|field| field.setting.name.as_str()).collect();
     let of_files = |name: &&String| !becomes_newer || *name != GENERATION;
-    let read = told.iter().filter(|name| there.contains(name.as_str())).count();
-    let unread = unread(&given, &Files { files: &asked.files });
+    let on = Read { given: &given, control: &control, told: &told, there: &there };
+    let memories = on.memories();
+    let read = on.told.iter().filter(|name| there.contains(name.as_str())).count() + memories.len();
+    let files = Files { files: &asked.files };
+    let mut unread = unread(&given, &files);
+    let mut refused = machine.problems.len() + unread.len();
+    for left in on.left_out() {
+        refused += left.values;
+        unread.push(left.fault(&files));
+    }
+    for (name, number) in memories {
+        if number == 0.0 { machine.data.remove(&name) } else { machine.data.insert(name, Value::Number(number)) };
+    }
     if read == 0 && given.sizes.is_empty() && unread.is_empty() {
         return Err(Error::new("machine-check-nothing", Path::default()));
     }
@@ -305,8 +328,104 @@ pub fn read_back(asked: ReadBackRequest) -> Result<ReadBack, Error> {
     let ending = Message::new(if becomes_newer { "definitions-read-newer" } else { "definitions-read" })
         .number("read", read as f64)
         .number("changed", changed as f64)
-        .number("problems", (machine.problems.len() + unread.len()) as f64);
+        .number("problems", refused as f64);
     Ok(ReadBack { unread, read, changed, definitions, sizes, ending, machine })
+}
+
+/// What files give a machine, and what of it there is.
+struct Read<'a> {
+    given: &'a Exported,
+    /// The machine now.
+    control: &'a Control,
+    /// Data of the first channel that the files give.
+    told: &'a BTreeSet<String>,
+    /// Data that the form of the machine has.
+    there: &'a BTreeSet<&'a str>,
+}
+
+/// Values that the machine does not take, of one datum or channel.
+struct LeftOut {
+    severity: Severity,
+    /// The first of them.
+    name: String,
+    message: Message,
+    place: Place,
+    values: usize,
+}
+
+impl LeftOut {
+    fn fault(self, files: &Files) -> MachineFault {
+        let source = gud::named(&self.name).and_then(|gud| gud.elements.first()).map_or("", |element| element.source);
+        let message = self.message.number("count", self.values as f64);
+        MachineFault::new(self.severity, self.name, message, source).at(Some(files.told(self.place)))
+    }
+}
+
+impl Read<'_> {
+    /// Memories behind those that the form shows.
+    fn memories(&self) -> Vec<(String, f64)> {
+        let behind = self.told.iter().filter(|name| !self.there.contains(name.as_str()) && self.has(name));
+        let memories = behind.filter(|name| MEMORIES.contains(&stem(name)));
+        memories.filter_map(|name| Some((name.clone(), self.given.number(name, 1)?))).collect()
+    }
+
+    /// Whether the machine has an element of an array.
+    fn has(&self, name: &str) -> bool {
+        let Some((stem, at)) = split(name) else { return false };
+        let Some(sizes) = gud::find(stem).map(|gud| self.sizes(gud)) else { return false };
+        at.len() == sizes.len() && at.iter().zip(&sizes).all(|(index, size)| index < size)
+    }
+
+    /// Sizes of an array: as the files have them, but for fields that are counted.
+    fn sizes(&self, gud: &Gud) -> Vec<usize> {
+        let defined = self.given.sizes.get(gud.name).map(|(sizes, _)| sizes).filter(|_| counter(gud).is_none());
+        defined.cloned().unwrap_or_else(|| size(self.control, gud))
+    }
+
+    /// Values that the machine does not take: those of other channels, and those of data that it does not have.
+    fn left_out(&self) -> Vec<LeftOut> {
+        let mut all: Vec<LeftOut> = Vec::new();
+        let first = |found: &&LeftOut, name: &str| stem(&found.name) == stem(name);
+        for name in self.told.iter().filter(|name| !self.there.contains(name.as_str())) {
+            let Some((severity, message)) = self.why_not(name) else { continue };
+            let Some(place) = self.given.get(name, 1).map(|one| one.place) else { continue };
+            match all.iter_mut().find(|found| first(&&**found, name)) {
+                Some(found) => found.values += 1,
+                None => all.push(LeftOut { severity, name: name.clone(), message, place, values: 1 }),
+            }
+        }
+        let others = self.given.data.iter().filter(|((_, channel), _)| *channel > 1);
+        for ((_, channel), one) in others.filter(|((name, _), _)| self.there.contains(name.as_str())) {
+            let name = format!("CHANDATA({channel})");
+            match all.iter_mut().find(|found| found.name == name) {
+                Some(found) => {
+                    found.values += 1;
+                    found.place = found.place.min(one.place);
+                }
+                None => {
+                    let message = Message::new("definitions-other-channel");
+                    all.push(LeftOut { severity: Severity::Warning, name, message, place: one.place, values: 1 });
+                }
+            }
+        }
+        all
+    }
+
+    /// Why the machine does not take a value that its form does not have; none: it is no setting of a machine, or a
+    /// memory, which needs no form.
+    fn why_not(&self, name: &str) -> Option<(Severity, Message)> {
+        let missing = || Some((Severity::Warning, Message::new("definitions-not-there")));
+        let Some(gud) = gud::find(stem(name)) else { return data::find(stem(name)).and_then(|_| missing()) };
+        if !gud.of_machine() || MEMORIES.contains(&gud.name) && self.has(name) {
+            return None;
+        }
+        let of_cycles = |at: &[usize]| gud.element(at).is_none_or(|element| element.internal);
+        match gud::place(name) {
+            Some((_, at)) if self.has(name) && of_cycles(&at) => None,
+            _ if self.has(name) => missing(),
+            _ => Some((Severity::Error, no_element(gud, &self.sizes(gud)))),
+        }
+    }
 }
 
 /// The basic system of the control that wrote the files: MD 10240 says it, else the switches that follow it, which say

@@ -1,7 +1,7 @@
 #![allow(clippy::unwrap_used)]
 
 use super::*;
-use crate::control::needs::{GUD_VALUES, Need, Test, When};
+use crate::control::needs::{GUD_VALUES, NEEDS, Need, Test, When};
 use crate::words::Words;
 use Severity::{Error, Note, Warning};
 use fault::{spelled, written};
