@@ -316,7 +316,11 @@ pub fn read_back(asked: ReadBackRequest) -> Result<ReadBack, Error> {
         unread.push(left.fault(&files));
     }
     for (name, number) in memories {
-        if number == 0.0 { machine.data.remove(&name) } else { machine.data.insert(name, Value::Number(number)) };
+        if number == 0.0 {
+            machine.data.remove(&name)
+        } else {
+            machine.data.insert(name, Value::Number(number))
+        };
     }
     if read == 0 && given.sizes.is_empty() && unread.is_empty() {
         return Err(Error::new("machine-check-nothing", Path::default()));
@@ -794,6 +798,85 @@ mod tests {
         assert_eq!((told, back.machine.problems.len()), (vec![("_SPEED", 2), ("_TP", 3)], 0));
         let ending = Message::new("definitions-read").number("read", 4.0).number("changed", 4.0);
         assert_eq!(back.ending, ending.number("problems", 2.0));
+    }
+
+    // oracle: hand (two values of a second channel, six of no element, two texts for numbers; a memory that the form does
+    // not show is taken)
+    #[test]
+    fn no_value_is_dropped_without_a_word() {
+        let text = "CHANDATA(1)\n_SPEED[1]=900\nCHANDATA(2)\n_CHBIT[16]=1\n_SPEED[0]=77\n";
+        let (back, _) = read_and_written(text, json!({}));
+        let ending = |read: f64, changed: f64, problems: f64| {
+            let message = Message::new("definitions-read").number("read", read);
+            message.number("changed", changed).number("problems", problems)
+        };
+        assert_eq!(back.ending, ending(1.0, 1.0, 2.0));
+        let told = |back: &ReadBack| {
+            let one =
+                |one: &MachineFault| (one.name.clone(), one.message.key.to_string(), one.place.clone().unwrap().line);
+            back.unread.iter().map(one).collect::<Vec<_>>()
+        };
+        let owned = |(name, key, line): (&str, &str, u32)| (name.to_owned(), key.to_owned(), line);
+        assert_eq!(told(&back), [owned(("CHANDATA(2)", "definitions-other-channel", 4))]);
+        // the second channel alone is a file too
+        let (back, _) = read_and_written("CHANDATA(2)\n_SPEED[0]=77\n", json!({}));
+        assert_eq!((back.ending, back.machine.data.len()), (ending(0.0, 0.0, 1.0), 0));
+
+        let text = "_CBIT[99]=1\n_TP[50,1]=3\n_SPEED[9]=5\n_SPEED[1]=\"abc\"\n_CBIT[0]=\"1\"\n_EVMVNUM[0]=200 _EV[150]=0.3\n\
+                    _EV[300]=1\n_DIGIT[1]=2\n_CBIT[16]=0\nDEF NCK BOOL _CBIT[16]\n_VMS=300\n_TXT[3]=\"a\"";
+        let (back, lines) = read_and_written(text, json!({}));
+        let wanted = [
+            ("_SPEED[1]", "machine-check-text", 4),
+            ("_CBIT[0]", "machine-check-text", 5),
+            ("_CBIT[99]", "machine-check-no-element", 1),
+            ("_DIGIT[1]", "machine-check-no-index", 8),
+            ("_EV[300]", "machine-check-no-element", 7),
+            ("_SPEED[9]", "machine-check-no-element", 3),
+            ("_TP[50,1]", "machine-check-no-element", 2),
+        ];
+        assert_eq!(told(&back), wanted.map(owned));
+        assert_eq!(back.machine.data["_EV[150]"], Value::Number(0.3));
+        assert!(lines.iter().any(|line| line == "DEF CHAN REAL _EV[200]"), "{lines:?}");
+        let words = crate::words::Words::english();
+        assert!(back.unread.iter().all(|one| words.find(&one.message).is_some()));
+    }
+
+    // oracle: manual B:14532-14604 (GUD7_MC is loaded, GUD7 activated), B:13262-13292; without JOG nothing of them
+    #[test]
+    fn files_are_activated_in_their_order() {
+        let keys = |data, jog| {
+            let notes = view(data, 1, jog).notes;
+            let files = |note: &Message| note.word("files").unwrap_or_default().to_owned();
+            notes.iter().map(|note| (note.key.to_string(), files(note))).collect::<Vec<_>>()
+        };
+        let all = json!({ "_EVMVNUM[0]": 10, "E_MESS_FM": 400, "_CVAL[0]": 0 });
+        let owned = |notes: &[(&str, &str)]| -> Vec<(String, String)> {
+            notes.iter().map(|(key, files)| (format!("definitions-{key}"), (*files).to_owned())).collect()
+        };
+        let wanted = [
+            ("insert", "GUD5.DEF, GUD6.DEF, GUD7_MC.DEF"),
+            ("save", ""),
+            ("activate", "GUD5.DEF, GUD6.DEF"),
+            ("load", ""),
+            ("older", ""),
+            ("reset", ""),
+            ("program", ""),
+        ];
+        assert_eq!(keys(all.clone(), true), owned(&wanted));
+        let wanted = [
+            ("insert", "GUD5.DEF, GUD6.DEF"),
+            ("save", ""),
+            ("activate", "GUD5.DEF, GUD6.DEF"),
+            ("reset", ""),
+            ("program", ""),
+        ];
+        assert_eq!(keys(all, false), owned(&wanted));
+        let words = crate::words::Words::english();
+        let about = |notes: Vec<Message>| notes.iter().map(|note| words.text(note)).collect::<String>();
+        let without = about(view(json!({ "_CVAL[0]": 2, "E_MESS_FM": 400 }), 2, false).notes);
+        assert!(!without.contains("GUD7"), "{without}");
+        let only_jog = keys(json!({ "E_MESS_FM": 400 }), true);
+        assert!(only_jog.iter().all(|(key, _)| key != "definitions-activate"), "{only_jog:?}");
     }
 
     // oracle: manual B:13726 (_SPEED[0] is a percentage)

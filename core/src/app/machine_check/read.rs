@@ -247,7 +247,12 @@ impl Line<'_> {
         } else if word.starts_with('$') {
             if let Some(identifier) = other_identifier(&datum.name, word) {
                 let texts = [word.to_owned(), identifier.to_owned()];
-                self.to.renamed.push(Odd { name: datum.name.clone(), channel: *self.channel, place: self.place, texts });
+                self.to.renamed.push(Odd {
+                    name: datum.name.clone(),
+                    channel: *self.channel,
+                    place: self.place,
+                    texts,
+                });
             }
             self.spelled = number.iter().map(String::as_str).chain([word]).collect::<Vec<_>>().join(" ");
         }
@@ -546,6 +551,8 @@ mod tests {
             "md18118=7",
             "MM_NUM_GUD_MODULES=7.0",
             "\u{feff}N18118 $MN_SOMETHING_ELSE='H07'",
+            "MD 18118 = 7",
+            "MD18118 := 7",
             "MD18118 'B111'\nMD18118=7",
         ] {
             assert_eq!(number(text, "MD18118"), Some(7.0), "{text}");
@@ -573,6 +580,39 @@ mod tests {
             assert_eq!(renamed(text), [""; 0], "{text}");
         }
         assert_eq!(read("N10000 $MN_AXCONF_MACHAX_NAME_TAB[0]=\"X1\"").others, 1);
+    }
+
+    // oracle: hand (the same line with blanks where somebody types them)
+    #[test]
+    fn blanks_do_not_hide_a_datum() {
+        for (text, name) in [
+            ("MD 20050[2] = 0", "MD20050[2]"),
+            ("MD 20050 [2]=0", "MD20050[2]"),
+            ("20050[2]=0", "MD20050[2]"),
+            ("MD20050[ 2 ] : 0", "MD20050[2]"),
+            ("MD 13200 [0] = FALSE", "MD13200[0]"),
+            ("N20050 $MC_AXCONF_GEOAX_ASSIGN_TAB [\t2 ] =0", "MD20050[2]"),
+            ("_TP [ 0 ,\t9 ] = 0", "_TP[0,9]"),
+            ("MD 32200[ 0, X1 ]=0", "MD32200[0,X1]"),
+            ("MD18120=30, 20050[2] = 0", "MD20050[2]"),
+        ] {
+            assert_eq!(number(text, name), Some(0.0), "{text}");
+        }
+        assert_eq!(read("_TP [ 0, 9 ]").data.len(), 0);
+    }
+
+    // oracle: hand (`==` compares; a block number is none of a machine datum unless its name stands behind it)
+    #[test]
+    fn what_is_compared_is_not_assigned() {
+        for text in [
+            "IF _CHBIT[2]==0 GOTOF A", "IF (_CBIT[0] == TRUE)", "IF 18118==7", "IF _SPEED[1]<=5 GOTOF A",
+            "IF _SPEED[1]<>5", "IF _CBIT[R[1]]==0 GOTOF A", "N20050 R1=0",
+        ] {
+            let read = read(text);
+            assert_eq!((read.data.len(), read.unread.len()), (0, 0), "{text}");
+        }
+        let told = read("_CBIT[R[1]]=0\n_SPEED[0]=_SPEED[1]==0");
+        assert_eq!((told.data.len(), told.unread.len()), (0, 2));
     }
 
     // oracle: hand

@@ -3,10 +3,10 @@
 use super::elements::{MOST, Room, probes};
 use super::fault::{Files, MachineFault};
 use super::read::{Exported, shown};
+use crate::control::arrays::stem;
 use crate::control::delivery::factor;
 use crate::control::gud::{Element, Gud, Initial, Kind, Unit};
 use crate::control::needs::Use;
-use crate::control::arrays::stem;
 use crate::control::{BASIC_SYSTEM, CALIBRATED, Units, Value, gud};
 use crate::diagnostic::Severity;
 use crate::form::machine::has_effect;
