@@ -3,6 +3,16 @@
 machine-check-nothing = Nichts in diesem Text ist ein Maschinendatum oder Anwenderdatum, das zum Messen nötig ist: eine Datei mit Maschinendaten (.TEA, INITIAL.INI), eine Definitionsdatei oder ein Serieninbetriebnahme-Archiv in Textform wählen.
 machine-check-ending = Verglichene Daten: { $read }. Fehler: { $errors }. Warnungen: { $warnings }. Hinweise: { $notes }. Andere Zuweisungen in den Dateien: { $others }.
 machine-check-unread = Der Wert ist nicht lesbar: { $value } So schreiben: 7, (1,0,2), SET(1,,2) oder REP(0).
+machine-check-text = Hier gehört eine Zahl hin, kein Text: { $value }
+machine-check-number = Hier gehört ein Text in Anführungszeichen hin: { $value }
+machine-check-whole = { $value } ist keine ganze Zahl.
+machine-check-no-element = { $count ->
+    [one] Dieses Element gibt es nicht
+   *[other] Diese { $count } Elemente, ab diesem, gibt es nicht
+  }: Das Feld ist { $array }.
+machine-check-no-index = { $name } ist kein Feld und hat keinen Index.
+machine-check-no-field = { $other } zählt nur { $most } Datenfelder: Dieses Element gibt es nicht.
+machine-check-unnamed = Diese Geometrieachse hat keinen Namen.
 machine-check-unread-size = Größe oder Index des Feldes ist nicht lesbar: { $value } Ganze Zahlen schreiben: [2,10].
 machine-check-many = Die Liste hat { $value } Werte für { $before } Elemente: Die letzten entfallen. Kürzen oder das Feld größer definieren.
 machine-check-unlike = Die Nummer { $value } gehört zu einem anderen Datum: Die Steuerung liest den Bezeichner.
@@ -34,7 +44,7 @@ machine-check-axes = Jede der drei Ziffern ist 0 bis 3: eine für jede Achse.
 machine-check-size = Scheibendurchmesser oder Kantenlänge ist 0; Kalibrieren und Längenmessung brauchen den Wert.
 machine-check-own-speed = Drehzahl und Vorschub des Anwenders gelten, dieser Wert ist aber 0.
 machine-check-no-make = Die Korrektur der Messwerte braucht den Hersteller des Werkzeugmesstasters in { "_TP_CF" }.
-machine-check-no-table = Die Korrekturtabelle ist nicht ausgefüllt: Radien und Geschwindigkeiten aufsteigend.
+machine-check-no-table = Nicht ausgefüllt: { $tables }. Eine Korrekturtabelle braucht Radien und Geschwindigkeiten in aufsteigender Folge.
 machine-check-assign = Dieses Maß des Werkzeugmesstasters muss eingetragen werden.
 machine-check-inputs = Automatikbetrieb und JOG verwenden verschiedene Messeingänge: { $other } = { $value }.
 machine-check-probe = Es gibt nur { $most } Messtaster ({ $other }).
@@ -76,7 +86,10 @@ definitions-share = { $name }: { $bytes } Byte (im Lieferzustand { $default })
 definitions-share-channel = { $name }: { $bytes } Byte je Kanal (im Lieferzustand { $default })
 definitions-need = { $number } mindestens { $value } allein für die Messzyklen, { $source }
 definitions-insert = In den ausgelieferten { $files } die Zeilen gleichen Namens ersetzen: Diese Zeilen sind nicht die ganze Datei.
-definitions-save = Vorher die im NC aktiven Anwenderdaten sichern: Das Aktivieren einer Definitionsdatei setzt ihre Werte zurück. GUD5 aktivieren, dann GUD6, dann GUD7_MC, danach NC-Reset und die Anwenderdaten zurückladen.
+definitions-save = Vorher die im NC aktiven Anwenderdaten sichern: Das Aktivieren einer Definitionsdatei setzt ihre Werte zurück.
+definitions-activate = Einzeln in dieser Reihenfolge aktivieren: { $files }.
+definitions-load = GUD7_MC.DEF mit „Load HD → NC“ laden, nicht aktivieren. Danach GUD7.DEF aktivieren: GUD7_MC.DEF wird damit aktiv.
+definitions-reset = Danach NC-Reset auslösen und die Anwenderdaten zurückladen.
 definitions-older = Bis zu den Messzyklen 6.02.16 gehören die Zeilen von GUD7_MC.DEF in die GUD7.DEF.
 definitions-enter = Vor dem Messen in JOG die Maße jedes Werkzeugmesstasters eingeben, sonst folgt Alarm 61230: { $names }
 definitions-program = { $channels ->
@@ -87,6 +100,14 @@ definitions-read = { $read ->
     [one] Ein Wert gelesen
    *[other] { $read } Werte gelesen
   }, { $changed } geändert, { $problems } nicht angenommen.
+definitions-other-channel = { $count ->
+    [one] Ein Wert wird nicht gelesen
+   *[other] { $count } Werte werden nicht gelesen
+  }: nur die des ersten Kanals.
+definitions-not-there = { $count ->
+    [one] Der Wert wird nicht gelesen
+   *[other] { $count } Werte, ab diesem, werden nicht gelesen
+  }: Diese Maschine hat solche Daten nicht.
 definitions-sizes = Größen, die mit der Maschine gespeichert sind: { $names }.
 definitions-read-newer = { $read ->
     [one] Ein Wert gelesen

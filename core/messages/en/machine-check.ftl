@@ -3,6 +3,16 @@
 machine-check-nothing = Nothing in this text is a machine datum or user datum that measuring needs: choose a file of machine data (.TEA, INITIAL.INI), a definition file or a series archive in text form.
 machine-check-ending = Data compared: { $read }. Errors: { $errors }. Warnings: { $warnings }. Notes: { $notes }. Other assignments in the files: { $others }.
 machine-check-unread = The value cannot be read: { $value } Write it like 7, (1,0,2), SET(1,,2) or REP(0).
+machine-check-text = A number belongs here, no text: { $value }
+machine-check-number = A text belongs here, in quotation marks: { $value }
+machine-check-whole = { $value } is not a whole number.
+machine-check-no-element = { $count ->
+    [one] This element does not exist
+   *[other] These { $count } elements, from this one on, do not exist
+  }: the array is { $array }.
+machine-check-no-index = { $name } is no array and has no index.
+machine-check-no-field = This element is beyond the { $most } fields of { $other }.
+machine-check-unnamed = This geometry axis has no name.
 machine-check-unread-size = The size or index of the array cannot be read: { $value } Write whole numbers, like [2,10].
 machine-check-many = The list has { $value } values for { $before } elements: the last ones are dropped. Shorten it, or define the array larger.
 machine-check-unlike = The number { $value } is that of another datum: the control reads the identifier.
@@ -34,7 +44,7 @@ machine-check-axes = Each of the three digits is 0 to 3: one for each axis.
 machine-check-size = Disk diameter or edge length is 0; calibration and length measurement use it.
 machine-check-own-speed = Speed and feed of the user apply, but this one is 0.
 machine-check-no-make = The correction of measured values needs the make of the tool probe in { "_TP_CF" }.
-machine-check-no-table = The correction table is not filled in: radii and speeds in ascending order.
+machine-check-no-table = Not filled in: { $tables }. A correction table needs radii and speeds in ascending order.
 machine-check-assign = This size of the tool probe must be entered.
 machine-check-inputs = Automatic mode and JOG use different probe inputs: { $other } = { $value }.
 machine-check-probe = There are only { $most } probes ({ $other }).
@@ -76,7 +86,10 @@ definitions-share = { $name }: { $bytes } bytes (default { $default })
 definitions-share-channel = { $name }: { $bytes } bytes for each channel (default { $default })
 definitions-need = { $number } at least { $value } for the measuring cycles alone, { $source }
 definitions-insert = Replace the lines of the same names in the original { $files }: these lines are not the whole file.
-definitions-save = First save the user data that are active in the NC: activating a definition file resets their values. Activate GUD5, then GUD6, then GUD7_MC, then NC reset, then read the user data back in.
+definitions-save = First save the user data that are active in the NC: activating a definition file resets their values.
+definitions-activate = Activate one at a time, in this order: { $files }.
+definitions-load = Load GUD7_MC.DEF with “Load HD → NC” and do not activate it. Then activate GUD7.DEF, which takes GUD7_MC.DEF with it.
+definitions-reset = Then trigger an NC reset and read the user data back in.
 definitions-older = Up to measuring cycles 6.02.16 the lines of GUD7_MC.DEF belong to GUD7.DEF.
 definitions-enter = Before measuring in JOG, enter the sizes of each tool probe; otherwise alarm 61230 follows: { $names }
 definitions-program = { $channels ->
@@ -87,6 +100,14 @@ definitions-read = { $read ->
     [one] One value read
    *[other] { $read } values read
   }, { $changed } changed, { $problems } not accepted.
+definitions-other-channel = { $count ->
+    [one] One value is not read
+   *[other] { $count } values are not read
+  }: only those of the first channel are.
+definitions-not-there = { $count ->
+    [one] The value is not read
+   *[other] { $count } values, from this one on, are not read
+  }: this machine does not have such data.
 definitions-sizes = Sizes kept with the machine: { $names }.
 definitions-read-newer = { $read ->
     [one] One value read

@@ -3,9 +3,9 @@
 
 use super::Error;
 use super::machine::{MachineField, MachineView, with_values};
-use super::machine_check::{Exported, ExportedFile, Files, Given, MachineFault, TO_ENTER, unread};
+use super::machine_check::{Exported, ExportedFile, Files, Given, MachineFault, Place, TO_ENTER, no_element, unread};
 use super::start::{Machine, start};
-use crate::control::arrays::stem;
+use crate::control::arrays::{split, stem};
 use crate::control::gud::{self, Block, Gud};
 use crate::control::needs::{GUD_MEMORY, GUD_MEMORY_SOURCE, GUD_VALUES, NEEDS, Test, Use};
 use crate::control::{
@@ -154,7 +154,11 @@ const SAVED: [(&str, &str); 5] = [
     (SETTINGS, SETTINGS),
 ];
 
-/// What is to be done, in its order (B:13262-13292, B:14157-14168).
+/// The file with the data of measuring in JOG: it is loaded, and GUD7.DEF, which takes it along, is activated
+/// (B:14577-14604; A:15584 activates both).
+const OF_JOG: &str = "GUD7_MC.DEF";
+
+/// What is to be done, in its order (B:13262-13292, B:14157-14168, B:14532-14604).
 fn notes(files: &[DefinitionsText], channels: u32) -> Vec<Message> {
     if files.iter().any(|file| file.name == SETTINGS) {
         return vec![Message::new("definitions-settings").number("channels", f64::from(channels))];
@@ -165,8 +169,16 @@ fn notes(files: &[DefinitionsText], channels: u32) -> Vec<Message> {
         notes.push(Message::new("definitions-insert").text("files", names.join(", ")));
         notes.push(Message::new("definitions-save"));
     }
-    if names.contains(&"GUD7_MC.DEF") {
+    let activated: Vec<&str> = names.iter().copied().filter(|name| *name != OF_JOG).collect();
+    if !activated.is_empty() {
+        notes.push(Message::new("definitions-activate").text("files", activated.join(", ")));
+    }
+    if names.contains(&OF_JOG) {
+        notes.push(Message::new("definitions-load"));
         notes.push(Message::new("definitions-older"));
+    }
+    if !names.is_empty() {
+        notes.push(Message::new("definitions-reset"));
     }
     if files.iter().any(|file| file.name == PROGRAM) {
         notes.push(Message::new("definitions-program").text("name", PROGRAM).number("channels", f64::from(channels)));
@@ -284,7 +296,7 @@ pub fn read_back(asked: ReadBackRequest) -> Result<ReadBack, Error> {
     if becomes_newer {
         times.push(typed.clone());
     }
-    let machine = with_values(asked.setup, basic, &times)?;
+    let mut machine = with_values(asked.setup, basic, &times)?;
     control.basic_units = machine.basic;
     for (name, value) in &machine.data {
         control.data.insert(name.clone(), value.clone());
@@ -293,8 +305,23 @@ pub fn read_back(asked: ReadBackRequest) -> Result<ReadBack, Error> {
     let there: BTreeSet<&str> =
         machine.groups.iter().flat_map(|group| &group.fields).map(|field| field.setting.name.as_str()).collect();
     let of_files = |name: &&String| !becomes_newer || *name != GENERATION;
-    let read = told.iter().filter(|name| there.contains(name.as_str())).count();
-    let unread = unread(&given, &Files { files: &asked.files });
+    let on = Read { given: &given, control: &control, told: &told, there: &there };
+    let memories = on.memories();
+    let read = on.told.iter().filter(|name| there.contains(name.as_str())).count() + memories.len();
+    let files = Files { files: &asked.files };
+    let mut unread = unread(&given, &files);
+    let mut refused = machine.problems.len() + unread.len();
+    for left in on.left_out() {
+        refused += left.values;
+        unread.push(left.fault(&files));
+    }
+    for (name, number) in memories {
+        if number == 0.0 {
+            machine.data.remove(&name)
+        } else {
+            machine.data.insert(name, Value::Number(number))
+        };
+    }
     if read == 0 && given.sizes.is_empty() && unread.is_empty() {
         return Err(Error::new("machine-check-nothing", Path::default()));
     }
@@ -305,8 +332,104 @@ pub fn read_back(asked: ReadBackRequest) -> Result<ReadBack, Error> {
     let ending = Message::new(if becomes_newer { "definitions-read-newer" } else { "definitions-read" })
         .number("read", read as f64)
         .number("changed", changed as f64)
-        .number("problems", (machine.problems.len() + unread.len()) as f64);
+        .number("problems", refused as f64);
     Ok(ReadBack { unread, read, changed, definitions, sizes, ending, machine })
+}
+
+/// What files give a machine, and what of it there is.
+struct Read<'a> {
+    given: &'a Exported,
+    /// The machine now.
+    control: &'a Control,
+    /// Data of the first channel that the files give.
+    told: &'a BTreeSet<String>,
+    /// Data that the form of the machine has.
+    there: &'a BTreeSet<&'a str>,
+}
+
+/// Values that the machine does not take, of one datum or channel.
+struct LeftOut {
+    severity: Severity,
+    /// The first of them.
+    name: String,
+    message: Message,
+    place: Place,
+    values: usize,
+}
+
+impl LeftOut {
+    fn fault(self, files: &Files) -> MachineFault {
+        let source = gud::named(&self.name).and_then(|gud| gud.elements.first()).map_or("", |element| element.source);
+        let message = self.message.number("count", self.values as f64);
+        MachineFault::new(self.severity, self.name, message, source).at(Some(files.told(self.place)))
+    }
+}
+
+impl Read<'_> {
+    /// Memories behind those that the form shows.
+    fn memories(&self) -> Vec<(String, f64)> {
+        let behind = self.told.iter().filter(|name| !self.there.contains(name.as_str()) && self.has(name));
+        let memories = behind.filter(|name| MEMORIES.contains(&stem(name)));
+        memories.filter_map(|name| Some((name.clone(), self.given.number(name, 1)?))).collect()
+    }
+
+    /// Whether the machine has an element of an array.
+    fn has(&self, name: &str) -> bool {
+        let Some((stem, at)) = split(name) else { return false };
+        let Some(sizes) = gud::find(stem).map(|gud| self.sizes(gud)) else { return false };
+        at.len() == sizes.len() && at.iter().zip(&sizes).all(|(index, size)| index < size)
+    }
+
+    /// Sizes of an array: as the files have them, but for fields that are counted.
+    fn sizes(&self, gud: &Gud) -> Vec<usize> {
+        let defined = self.given.sizes.get(gud.name).map(|(sizes, _)| sizes).filter(|_| counter(gud).is_none());
+        defined.cloned().unwrap_or_else(|| size(self.control, gud))
+    }
+
+    /// Values that the machine does not take: those of other channels, and those of data that it does not have.
+    fn left_out(&self) -> Vec<LeftOut> {
+        let mut all: Vec<LeftOut> = Vec::new();
+        let first = |found: &&LeftOut, name: &str| stem(&found.name) == stem(name);
+        for name in self.told.iter().filter(|name| !self.there.contains(name.as_str())) {
+            let Some((severity, message)) = self.why_not(name) else { continue };
+            let Some(place) = self.given.get(name, 1).map(|one| one.place) else { continue };
+            match all.iter_mut().find(|found| first(&&**found, name)) {
+                Some(found) => found.values += 1,
+                None => all.push(LeftOut { severity, name: name.clone(), message, place, values: 1 }),
+            }
+        }
+        let others = self.given.data.iter().filter(|((_, channel), _)| *channel > 1);
+        for ((_, channel), one) in others.filter(|((name, _), _)| self.there.contains(name.as_str())) {
+            let name = format!("CHANDATA({channel})");
+            match all.iter_mut().find(|found| found.name == name) {
+                Some(found) => {
+                    found.values += 1;
+                    found.place = found.place.min(one.place);
+                }
+                None => {
+                    let message = Message::new("definitions-other-channel");
+                    all.push(LeftOut { severity: Severity::Warning, name, message, place: one.place, values: 1 });
+                }
+            }
+        }
+        all
+    }
+
+    /// Why the machine does not take a value that its form does not have; none: it is no setting of a machine, or a
+    /// memory, which needs no form.
+    fn why_not(&self, name: &str) -> Option<(Severity, Message)> {
+        let missing = || Some((Severity::Warning, Message::new("definitions-not-there")));
+        let Some(gud) = gud::find(stem(name)) else { return data::find(stem(name)).and_then(|_| missing()) };
+        if !gud.of_machine() || MEMORIES.contains(&gud.name) && self.has(name) {
+            return None;
+        }
+        let of_cycles = |at: &[usize]| gud.element(at).is_none_or(|element| element.internal);
+        match gud::place(name) {
+            Some((_, at)) if self.has(name) && of_cycles(&at) => None,
+            _ if self.has(name) => missing(),
+            _ => Some((Severity::Error, no_element(gud, &self.sizes(gud)))),
+        }
+    }
 }
 
 /// The basic system of the control that wrote the files: MD 10240 says it, else the switches that follow it, which say
@@ -675,6 +798,85 @@ mod tests {
         assert_eq!((told, back.machine.problems.len()), (vec![("_SPEED", 2), ("_TP", 3)], 0));
         let ending = Message::new("definitions-read").number("read", 4.0).number("changed", 4.0);
         assert_eq!(back.ending, ending.number("problems", 2.0));
+    }
+
+    // oracle: hand (two values of a second channel, six of no element, two texts for numbers; a memory that the form does
+    // not show is taken)
+    #[test]
+    fn no_value_is_dropped_without_a_word() {
+        let text = "CHANDATA(1)\n_SPEED[1]=900\nCHANDATA(2)\n_CHBIT[16]=1\n_SPEED[0]=77\n";
+        let (back, _) = read_and_written(text, json!({}));
+        let ending = |read: f64, changed: f64, problems: f64| {
+            let message = Message::new("definitions-read").number("read", read);
+            message.number("changed", changed).number("problems", problems)
+        };
+        assert_eq!(back.ending, ending(1.0, 1.0, 2.0));
+        let told = |back: &ReadBack| {
+            let one =
+                |one: &MachineFault| (one.name.clone(), one.message.key.to_string(), one.place.clone().unwrap().line);
+            back.unread.iter().map(one).collect::<Vec<_>>()
+        };
+        let owned = |(name, key, line): (&str, &str, u32)| (name.to_owned(), key.to_owned(), line);
+        assert_eq!(told(&back), [owned(("CHANDATA(2)", "definitions-other-channel", 4))]);
+        // the second channel alone is a file too
+        let (back, _) = read_and_written("CHANDATA(2)\n_SPEED[0]=77\n", json!({}));
+        assert_eq!((back.ending, back.machine.data.len()), (ending(0.0, 0.0, 1.0), 0));
+
+        let text = "_CBIT[99]=1\n_TP[50,1]=3\n_SPEED[9]=5\n_SPEED[1]=\"abc\"\n_CBIT[0]=\"1\"\n_EVMVNUM[0]=200 _EV[150]=0.3\n\
+                    _EV[300]=1\n_DIGIT[1]=2\n_CBIT[16]=0\nDEF NCK BOOL _CBIT[16]\n_VMS=300\n_TXT[3]=\"a\"";
+        let (back, lines) = read_and_written(text, json!({}));
+        let wanted = [
+            ("_SPEED[1]", "machine-check-text", 4),
+            ("_CBIT[0]", "machine-check-text", 5),
+            ("_CBIT[99]", "machine-check-no-element", 1),
+            ("_DIGIT[1]", "machine-check-no-index", 8),
+            ("_EV[300]", "machine-check-no-element", 7),
+            ("_SPEED[9]", "machine-check-no-element", 3),
+            ("_TP[50,1]", "machine-check-no-element", 2),
+        ];
+        assert_eq!(told(&back), wanted.map(owned));
+        assert_eq!(back.machine.data["_EV[150]"], Value::Number(0.3));
+        assert!(lines.iter().any(|line| line == "DEF CHAN REAL _EV[200]"), "{lines:?}");
+        let words = crate::words::Words::english();
+        assert!(back.unread.iter().all(|one| words.find(&one.message).is_some()));
+    }
+
+    // oracle: manual B:14532-14604 (GUD7_MC is loaded, GUD7 activated), B:13262-13292; without JOG nothing of them
+    #[test]
+    fn files_are_activated_in_their_order() {
+        let keys = |data, jog| {
+            let notes = view(data, 1, jog).notes;
+            let files = |note: &Message| note.word("files").unwrap_or_default().to_owned();
+            notes.iter().map(|note| (note.key.to_string(), files(note))).collect::<Vec<_>>()
+        };
+        let all = json!({ "_EVMVNUM[0]": 10, "E_MESS_FM": 400, "_CVAL[0]": 0 });
+        let owned = |notes: &[(&str, &str)]| -> Vec<(String, String)> {
+            notes.iter().map(|(key, files)| (format!("definitions-{key}"), (*files).to_owned())).collect()
+        };
+        let wanted = [
+            ("insert", "GUD5.DEF, GUD6.DEF, GUD7_MC.DEF"),
+            ("save", ""),
+            ("activate", "GUD5.DEF, GUD6.DEF"),
+            ("load", ""),
+            ("older", ""),
+            ("reset", ""),
+            ("program", ""),
+        ];
+        assert_eq!(keys(all.clone(), true), owned(&wanted));
+        let wanted = [
+            ("insert", "GUD5.DEF, GUD6.DEF"),
+            ("save", ""),
+            ("activate", "GUD5.DEF, GUD6.DEF"),
+            ("reset", ""),
+            ("program", ""),
+        ];
+        assert_eq!(keys(all, false), owned(&wanted));
+        let words = crate::words::Words::english();
+        let about = |notes: Vec<Message>| notes.iter().map(|note| words.text(note)).collect::<String>();
+        let without = about(view(json!({ "_CVAL[0]": 2, "E_MESS_FM": 400 }), 2, false).notes);
+        assert!(!without.contains("GUD7"), "{without}");
+        let only_jog = keys(json!({ "E_MESS_FM": 400 }), true);
+        assert!(only_jog.iter().all(|(key, _)| key != "definitions-activate"), "{only_jog:?}");
     }
 
     // oracle: manual B:13726 (_SPEED[0] is a percentage)

@@ -230,22 +230,22 @@ impl Need {
 }
 
 impl Test {
-    /// Whether a value meets a limit. What has no bits, a fraction or a negative number, meets no mask to be set.
+    /// Whether a value meets a limit. What has no bits, a fraction or a negative number, meets no mask.
     pub fn holds(self, value: f64, limit: f64) -> bool {
-        let bits = value as u32;
+        let (bits, limited) = (mask(value), limit as u32);
         match self {
             Test::AtLeast => value >= limit,
             Test::AtMost => value <= limit,
             Test::Equal => value == limit,
             Test::UpTo => (1.0..=limit).contains(&value),
-            Test::Set => bits & limit as u32 == limit as u32,
-            Test::Clear => bits & limit as u32 == 0,
+            Test::Set => bits.is_some_and(|bits| bits & limited == limited),
+            Test::Clear => bits.is_some_and(|bits| bits & limited == 0),
         }
     }
 
     /// The value nearest to this one that meets a limit.
     pub fn mended(self, value: f64, limit: f64) -> f64 {
-        let bits = value as u32;
+        let bits = mask(value).unwrap_or(0);
         match self {
             _ if self.holds(value, limit) => value,
             Test::AtLeast | Test::AtMost | Test::Equal | Test::UpTo => limit,
@@ -253,4 +253,10 @@ impl Test {
             Test::Clear => f64::from(bits & !(limit as u32)),
         }
     }
+}
+
+/// The bits of a value; none: it has none.
+pub fn mask(value: f64) -> Option<u32> {
+    let bits = value as u32;
+    (f64::from(bits) == value).then_some(bits)
 }

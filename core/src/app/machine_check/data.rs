@@ -1,9 +1,10 @@
 //! Machine data against what measuring needs of them.
 
-use super::fault::{Files, MachineFault, MachineLimit, machine_datum, written};
-use super::read::{Exported, Given, of_channel};
-use crate::control::needs::{GUD_MEMORY, GUD_MEMORY_SOURCE, GUD_VALUES, Limit, NEEDS, Need, Test, Use, When};
-use crate::control::{Value, arrays};
+use super::elements;
+use super::fault::{Files, MachineFault, MachineLimit, identified, machine_datum, written};
+use super::read::{Exported, GEOMETRY_NAMES, Given, of_channel};
+use crate::control::needs::{GUD_MEMORY, GUD_MEMORY_SOURCE, GUD_VALUES, Limit, NEEDS, Need, Test, Use, When, mask};
+use crate::control::{BASIC_SYSTEM, Value, arrays, braking};
 use crate::diagnostic::Severity;
 use crate::manual::Cited;
 use crate::message::Message;
@@ -16,7 +17,7 @@ pub fn faults(given: &Exported, files: &Files, without: &[Use], large: bool) -> 
         let limits = limits(need);
         let own = machine_datum(need.number).is_some_and(of_channel);
         let names = given.data.keys().map(|(name, _)| name).filter(|name| arrays::stem(name) == need.number);
-        let names: BTreeSet<&String> = names.collect();
+        let names: BTreeSet<&String> = names.filter(|name| elements::exists(name)).collect();
         let seen = names.into_iter().flat_map(|name| given.seeing(own).into_iter().map(move |channel| (name, channel)));
         let faults = seen.filter(|(_, channel)| counts(need, given, *channel)).filter_map(|(name, channel)| {
             let fault = fault(need, &limits, (name, channel), given.get(name, channel)?, files)?;
@@ -24,8 +25,44 @@ pub fn faults(given: &Exported, files: &Files, without: &[Use], large: bool) -> 
         });
         faults.collect::<Vec<_>>()
     };
-    NEEDS.iter().flat_map(of_need).collect()
+    NEEDS.iter().flat_map(of_need).chain(unnamed(given, files)).collect()
 }
+
+/// Machine data that need a value and that no file gives.
+pub fn missing(given: &Exported, without: &[Use], large: bool) -> Vec<String> {
+    let there = |number: &str| given.data.keys().any(|(name, _)| arrays::stem(name) == number);
+    let error = |need: &Need| limits(need, given, without, large).iter().any(|one| one.severity == Severity::Error);
+    let needed = NEEDS.iter().filter(|need| error(need) && !there(need.number));
+    let mut names: Vec<String> = needed.map(|need| identified(need.number)).collect();
+    names.dedup();
+    names
+}
+
+/// Whether something is needed of a machine datum. Names and sorts of the channel axes (MD20080, MD30300) have to fit
+/// `_RA` of a call (A:15872), which no export has.
+pub fn is_needed(number: &str) -> bool {
+    let other = [BASIC_SYSTEM, GEOMETRY_NAMES].into_iter().chain(braking::DATA);
+    NEEDS.iter().map(|need| need.number).chain(other).any(|one| one == number)
+}
+
+/// Geometry axes without a name, of those that an axis of the channel is (A:15878).
+fn unnamed(given: &Exported, files: &Files) -> Vec<MachineFault> {
+    let empty = |given: &Given| matches!(&given.value, Value::Text(text) if text.trim().is_empty());
+    let of_axes = given.data.iter().filter(|((name, _), one)| arrays::stem(name) == GEOMETRY_NAMES && empty(one));
+    let used = |name: &str, channel: u32| {
+        let axis = name.replace(GEOMETRY_NAMES, GEOMETRY_AXES);
+        given.number(&axis, channel) != Some(0.0)
+    };
+    let fault = |((name, channel), one): (&(String, u32), &Given)| {
+        let fault = MachineFault::new(Severity::Error, name, Message::new("machine-check-unnamed"), "A:15878");
+        let fault = fault.channel(*channel).alarm(61336).at(Some(files.told(one.place)));
+        used(name, *channel).then_some(fault)
+    };
+    of_axes.filter_map(fault).collect()
+}
+
+/// Which axes of the channel are geometry axes.
+const GEOMETRY_AXES: &str = "MD20050";
 
 /// An element whose value is its place, from 1, where no other element has it: two geometry axes would be one axis of
 /// the channel (B:14084-14093).
@@ -77,11 +114,7 @@ fn fault(
     files: &Files,
 ) -> Option<MachineFault> {
     let place = Some(files.told(datum.place));
-    let Value::Number(value) = datum.value else {
-        let Value::Text(text) = &datum.value else { return None };
-        let message = Message::new("machine-check-unread").text("value", text).text("before", "");
-        return Some(MachineFault::new(Severity::Error, name, message, limits.first()?.source).at(place));
-    };
+    let Value::Number(value) = datum.value else { return None }; // a text is told where it is read
     let missed = limits.iter().find(|limit| !need.test.holds(value, limit.value))?;
     let best = limits.iter().fold(value, |value, limit| need.test.mended(value, limit.value));
     let told = |limit: &Limit| MachineLimit {
@@ -119,14 +152,14 @@ fn effect(need: &Need, limits: &[Limit], missed: &Limit) -> &'static str {
 
 /// What is wrong with a value.
 fn said(test: Test, value: f64, limit: f64) -> Message {
-    let (have, want) = (value as u32, limit as u32);
+    let (have, want) = (mask(value), limit as u32);
     let (key, bits) = match test {
         Test::AtLeast => ("machine-check-low", 0),
         Test::AtMost => ("machine-check-high", 0),
         Test::Equal => ("machine-check-not", 0),
         Test::UpTo => ("machine-check-between", 0),
-        Test::Set => ("machine-check-bits-missing", want & !have),
-        Test::Clear => ("machine-check-bits-set", want & have),
+        Test::Set => ("machine-check-bits-missing", want & !have.unwrap_or(0)),
+        Test::Clear => ("machine-check-bits-set", want & have.unwrap_or(want)),
     };
     let numbers: Vec<String> = (0..32).filter(|bit| bits >> bit & 1 == 1).map(|bit: u32| bit.to_string()).collect();
     Message::new(key).number("value", value).number("limit", limit).text("bits", numbers.join(", "))

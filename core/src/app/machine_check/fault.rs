@@ -4,6 +4,7 @@ use super::ExportedFile;
 use super::read::{Exported, Odd, Place};
 use crate::catalogue::alarms;
 use crate::control::machine_data::{MACHINE_DATA, MachineDatum};
+use crate::control::needs::mask;
 use crate::control::{arrays, gud};
 use crate::diagnostic::{Code, Severity};
 use crate::manual::Cited;
@@ -159,9 +160,15 @@ impl MachineFault {
     }
 
     /// With the value that mends it.
-    pub fn mended(self, value: f64) -> MachineFault {
-        let change = format!("{}={}", self.line_name(), written(&self.name, value));
-        MachineFault { change, mended: Some(Mended { value, bits: None }), ..self }
+    pub fn mended(mut self, value: f64) -> MachineFault {
+        self.mend(value);
+        self
+    }
+
+    /// Takes a value that mends it.
+    pub fn mend(&mut self, value: f64) {
+        self.change = format!("{}={}", self.line_name(), written(&self.name, value));
+        self.mended = Some(Mended { value, bits: None });
     }
 
     /// With the bits that mend it.
@@ -182,11 +189,17 @@ pub fn odd(given: &Exported, files: &Files) -> Vec<MachineFault> {
 
 /// Lines of which a value or a size cannot be read, or of which values have no element.
 pub fn unread(given: &Exported, files: &Files) -> Vec<MachineFault> {
-    let values = given.unread.iter().map(|odd| fault_of(Severity::Error, "machine-check-unread", odd, files));
-    let sizes = given.unsized_arrays.iter();
-    let sizes = sizes.map(|odd| fault_of(Severity::Error, "machine-check-unread-size", odd, files));
-    let many = given.beyond.iter().map(|odd| fault_of(Severity::Warning, "machine-check-many", odd, files));
-    values.chain(sizes).chain(many).collect()
+    let all = [
+        (Severity::Error, "machine-check-unread", &given.unread),
+        (Severity::Error, "machine-check-text", &given.texts),
+        (Severity::Error, "machine-check-number", &given.numbers),
+        (Severity::Error, "machine-check-unread-size", &given.unsized_arrays),
+        (Severity::Warning, "machine-check-many", &given.beyond),
+    ];
+    let faults = |(severity, key, odd): (Severity, &'static str, &Vec<Odd>)| -> Vec<MachineFault> {
+        odd.iter().map(|odd| fault_of(severity, key, odd, files)).collect()
+    };
+    all.into_iter().flat_map(faults).collect()
 }
 
 /// What is wrong with a line.
@@ -233,7 +246,10 @@ pub fn spelled(name: &str) -> String {
 
 /// A value as a control writes it: a mask in hexadecimal digits.
 pub fn written(name: &str, value: f64) -> String {
-    if masked(name) { format!("'H{:X}'", value as u32) } else { value.to_string() }
+    match mask(value).filter(|_| masked(name)) {
+        Some(bits) => format!("'H{bits:X}'"),
+        None => value.to_string(),
+    }
 }
 
 /// Whether a datum is a mask of bits.

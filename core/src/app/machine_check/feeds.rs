@@ -42,7 +42,7 @@ pub struct MachineAxis {
 /// The slowest axis of the export; none: something of it is not given, or no axis has it.
 pub fn axis(given: &Exported) -> Option<MachineAxis> {
     let lowest = |number: &str| {
-        let all = given.data.iter().filter(|((name, _), _)| arrays::stem(name) == number);
+        let all = given.data.iter().filter(|((name, _), _)| arrays::stem(name) == number && moves(given, name));
         let numbers =
             all.filter_map(|(_, given)| if let Value::Number(value) = given.value { Some(value) } else { None });
         numbers.min_by(f64::total_cmp).filter(|lowest| *lowest > 0.0)
@@ -56,9 +56,22 @@ fn of_axis(axis: MachineAxis) -> Braking {
     Braking { delay: axis.delay, acceleration: axis.acceleration, gain: axis.gain }
 }
 
+/// Whether a datum is that of an axis that measuring moves: a rotary one or a spindle (MD30300, A:15872) stands still
+/// while the probe touches, and its deceleration is no m/s².
+fn moves(given: &Exported, name: &str) -> bool {
+    let index = name.strip_suffix(']').and_then(|name| name.rsplit(['[', ',']).next());
+    index.is_none_or(|axis| given.number(&format!("{ROTARY}[{axis}]"), 0) != Some(1.0))
+}
+
+/// Whether an axis is rotary.
+const ROTARY: &str = "MD30300";
+
 /// Numbers of the data of the axis that no file gives.
 fn absent(given: &Exported) -> impl Iterator<Item = &'static str> {
-    let there = |number: &str| given.data.keys().any(|(name, _)| arrays::stem(name) == number);
+    let there = |number: &str| {
+        let mut names = given.data.keys().map(|(name, _)| name).filter(|name| arrays::stem(name) == number);
+        names.any(|name| moves(given, name))
+    };
     braking::DATA.into_iter().filter(move |number| !there(number))
 }
 
@@ -95,35 +108,67 @@ pub fn impossible(given: &Exported, files: &Files) -> Vec<MachineFault> {
     given.data.iter().filter_map(fault).collect()
 }
 
+/// A feed of the data as a channel has it.
+struct Touching<'a> {
+    /// As its file has it.
+    datum: &'a Given,
+    feed: f64,
+    /// Its unit in mm/min.
+    unit: f64,
+    source: &'static str,
+}
+
+impl Touching<'_> {
+    /// The largest feed that the deflection allows, in the unit of the datum.
+    fn largest(&self, braking: &Braking, deflection: f64) -> f64 {
+        let step = if self.unit == 1.0 { 1.0 } else { 10.0 };
+        (braking.feed(deflection) / self.unit * step).floor() / step
+    }
+}
+
+/// A feed at which the probe may touch; none: it does not, or nothing is given.
+fn touching<'a>(given: &'a Exported, name: &str, channel: u32) -> Option<Touching<'a>> {
+    let (_, switch, as_delivered, source) = *FEEDS.iter().find(|(feed, ..)| *feed == name)?;
+    let watched = switch.is_empty() || given.number(switch, channel).unwrap_or(as_delivered) == 1.0;
+    let (datum, feed) = (given.get(name, channel)?, given.number(name, channel)?);
+    let inch = !of_jog(name) && given.number(BASIC_SYSTEM, channel) == Some(0.0);
+    watched.then_some(Touching { datum, feed, unit: if inch { INCH } else { 1.0 }, source })
+}
+
+/// Takes no more for a feed out of its range than the deflection allows.
+pub fn limit(faults: &mut [MachineFault], given: &Exported, deflection: f64) {
+    let Some(braking) = axis(given).map(of_axis) else { return };
+    for fault in faults {
+        let Some(touching) = touching(given, &fault.name, fault.channel.unwrap_or(0)) else { continue };
+        let largest = touching.largest(&braking, deflection);
+        if fault.mended.as_ref().is_some_and(|mended| largest > 0.0 && mended.value > largest) {
+            fault.mend(largest);
+        }
+    }
+}
+
 /// Feeds whose braking path is longer than the deflection, mm.
 pub fn faults(given: &Exported, files: &Files, without: &[Use], deflection: f64) -> Vec<MachineFault> {
     let Some(braking) = axis(given).map(of_axis) else { return Vec::new() };
     let mut found: Vec<MachineFault> = Vec::new();
     for channel in given.channels() {
-        for (name, switch, as_delivered, source) in FEEDS {
-            let of_jog = of_jog(name);
-            let watched = switch.is_empty() || given.number(switch, channel).unwrap_or(as_delivered) == 1.0;
-            let (Some(datum), Some(feed)) = (given.get(name, channel), given.number(name, channel)) else { continue };
-            if !watched || of_jog && without.contains(&Use::Jog) {
+        for (name, ..) in FEEDS {
+            let Some(touching) = touching(given, name, channel) else { continue };
+            let path = braking.parts(touching.feed * touching.unit).sum();
+            if of_jog(name) && without.contains(&Use::Jog) || path.is_nan() || path <= deflection {
                 continue;
             }
-            let inch = !of_jog && given.number(BASIC_SYSTEM, channel) == Some(0.0);
-            let (unit, step) = if inch { (INCH, 10.0) } else { (1.0, 1.0) };
-            let path = braking.parts(feed * unit).sum();
-            if path.is_nan() || path <= deflection {
-                continue;
-            }
-            let largest = (braking.feed(deflection) / unit * step).floor() / step;
+            let largest = touching.largest(&braking, deflection);
             let message = Message::new("machine-check-braking")
-                .number("feed", feed)
+                .number("feed", touching.feed)
                 .number("path", (path * 1000.0).round() / 1000.0)
                 .number("deflection", deflection)
                 .number("largest", largest);
             let own = gud::named(name).is_some_and(|gud| gud.channel);
-            let fault = MachineFault::new(Severity::Warning, name, message, source)
+            let fault = MachineFault::new(Severity::Warning, name, message, touching.source)
                 .channel(if own { channel } else { 0 })
-                .value(shown(&datum.value))
-                .at(Some(files.told(datum.place)));
+                .value(shown(&touching.datum.value))
+                .at(Some(files.told(touching.datum.place)));
             let fault = if largest > 0.0 { fault.mended(largest) } else { fault };
             if !found.contains(&fault) {
                 found.push(fault);

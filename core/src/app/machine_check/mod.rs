@@ -2,6 +2,7 @@
 
 mod changes;
 mod data;
+mod elements;
 mod fault;
 mod feeds;
 mod read;
@@ -16,11 +17,12 @@ pub(super) use feeds::{FEEDS, of_jog};
 pub(super) use user::TO_ENTER;
 
 use super::Error;
-use crate::control::needs::{NEEDS, Use};
+use crate::control::needs::Use;
 use crate::diagnostic::Severity;
 use crate::message::Message;
+pub(super) use elements::no_element;
 pub(super) use fault::{Files, unread};
-pub(super) use read::{Exported, Given};
+pub(super) use read::{Exported, Given, Place};
 use serde::{Deserialize, Serialize};
 
 /// What the control exported.
@@ -57,7 +59,7 @@ pub struct MachineCheckView {
     pub faults: Vec<MachineFault>,
     /// How many data were compared and what came of it, in words.
     pub ending: Message,
-    /// Data that were read and are known to a check.
+    /// Data that a check held against something.
     pub read: usize,
     /// Machine data that measuring needs and that no file gives, as their control calls them.
     pub missing: Vec<String>,
@@ -80,41 +82,32 @@ pub fn machine_check(asked: MachineCheckRequest) -> Result<MachineCheckView, Err
     for (file, one) in asked.files.iter().enumerate() {
         given.add(file, &one.text);
     }
-    let any_unread = !given.unread.is_empty() || !given.unsized_arrays.is_empty();
-    if given.data.is_empty() && given.sizes.is_empty() && !any_unread {
+    if given.data.is_empty() && given.sizes.is_empty() && !given.any_unread() {
         return Err(Error::new("machine-check-nothing", crate::refused::Path::default()));
     }
     let files = Files { files: &asked.files };
     let mut faults = fault::odd(&given, &files);
+    faults.extend(elements::faults(&given, &files));
     faults.extend(data::faults(&given, &files, &asked.without, asked.large));
     faults.extend(user::faults(&given, &files, &asked.without));
     faults.extend(feeds::impossible(&given, &files));
     let deflection = asked.deflection;
+    deflection.iter().for_each(|most| feeds::limit(&mut faults, &given, *most));
     faults.extend(deflection.iter().flat_map(|most| feeds::faults(&given, &files, &asked.without, *most)));
     faults.extend(deflection.and_then(|_| feeds::unchecked(&given)));
     faults.extend(deflection.and_then(|_| feeds::metric(&given)));
     faults.sort_by_key(|fault| fault.severity); // stable: within a severity the order of the manual
+    changes::together(&mut faults);
     let count = |severity| faults.iter().filter(|fault| fault.severity == severity).count() as f64;
+    let read = given.data.keys().filter(|(name, channel)| elements::is_compared(&given, name, *channel)).count();
     let ending = Message::new("machine-check-ending")
-        .number("read", given.data.len() as f64)
-        .number("others", given.others as f64)
+        .number("read", read as f64)
+        .number("others", (given.others + given.data.len() - read) as f64)
         .number("errors", count(Severity::Error))
         .number("warnings", count(Severity::Warning))
         .number("notes", count(Severity::Note));
     let changes = changes::lines(&faults);
-    let mut missing = missing(&given, &asked.without);
+    let mut missing = data::missing(&given, &asked.without, asked.large);
     missing.extend(deflection.iter().flat_map(|_| feeds::missing(&given)));
-    Ok(MachineCheckView { ending, read: given.data.len(), missing, changes, faults, axis: feeds::axis(&given) })
-}
-
-/// Machine data with an error among their limits that no file gives.
-fn missing(given: &Exported, without: &[Use]) -> Vec<String> {
-    let there = |number: &str| given.data.keys().any(|(name, _)| crate::control::arrays::stem(name) == number);
-    let needed = NEEDS.iter().filter(|need| {
-        let error = need.limits.iter().find(|limit| limit.severity == Severity::Error);
-        error.is_some_and(|limit| !without.contains(&limit.of)) && !there(need.number)
-    });
-    let mut names: Vec<String> = needed.map(|need| fault::identified(need.number)).collect();
-    names.dedup();
-    names
+    Ok(MachineCheckView { ending, read, missing, changes, faults, axis: feeds::axis(&given) })
 }

@@ -5,18 +5,23 @@
 
 use super::words::{Scan, Token};
 use crate::control::definitions::First;
-use crate::control::gud::Gud;
+use crate::control::gud::{Gud, Kind};
 use crate::control::machine_data::{MACHINE_DATA, MachineDatum};
 use crate::control::{Value, arrays, gud, setting_data};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Most elements of an array in a definition.
 const ELEMENTS: usize = 10_000;
+/// Names of the geometry axes, of which there are three (A:15878, B:14084-14093).
+pub const GEOMETRY_NAMES: &str = "MD20060";
+const AXES: usize = 3;
+/// Signs of the log.
+const SIGNS: &str = "_PROTSYM";
 /// Highest number of a channel.
 const CHANNELS: u32 = 10;
 
 /// Where a value stands.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Place {
     /// Which of the files.
     pub file: usize,
@@ -74,6 +79,10 @@ pub struct Exported {
     pub twice: Vec<Odd>,
     /// Data whose value cannot be read.
     pub unread: Vec<Odd>,
+    /// Numbers that are given a text.
+    pub texts: Vec<Odd>,
+    /// Texts that are given a number.
+    pub numbers: Vec<Odd>,
     /// Arrays whose size cannot be read.
     pub unsized_arrays: Vec<Odd>,
     /// Lists with more values than there are elements behind the first one.
@@ -84,6 +93,8 @@ pub struct Exported {
     pub renamed: Vec<Odd>,
     /// Assignments of which no check knows the datum.
     pub others: usize,
+    /// Channels of which something is assigned, whether a check knows it or not.
+    sections: BTreeSet<u32>,
 }
 
 impl Exported {
@@ -152,12 +163,14 @@ impl Exported {
         }
     }
 
-    /// Channels that are named; 0 alone: none is.
+    /// Channels of which something is assigned; 0 alone: no channel is named.
     pub fn channels(&self) -> Vec<u32> {
-        let mut channels: Vec<u32> = self.data.keys().map(|(_, channel)| *channel).filter(|one| *one > 0).collect();
-        channels.sort_unstable();
-        channels.dedup();
-        if channels.is_empty() { vec![0] } else { channels }
+        if self.sections.is_empty() { vec![0] } else { self.sections.iter().copied().collect() }
+    }
+
+    /// Whether something stands there that says what a datum is, and cannot be read.
+    pub fn any_unread(&self) -> bool {
+        [&self.unread, &self.texts, &self.numbers, &self.unsized_arrays].iter().any(|odd| !odd.is_empty())
     }
 }
 
@@ -211,10 +224,18 @@ impl Line<'_> {
         if !self.scan.assigns() {
             return;
         }
+        if *self.channel > 0 {
+            self.to.sections.insert(*self.channel);
+        }
         let number = self.number.take();
         self.spelled.clear();
+        if gud::find(word).is_some_and(|gud| gud.kind == Kind::Frame) {
+            self.to.others += 1; // values of a frame have a notation of their own, and no check asks for them
+            return self.scan.skip();
+        }
         let digits = number.as_deref().and_then(|number| number.get(1..));
-        let Some(datum) = known(word, digits, index) else {
+        // a name without its area is none of a machine datum: `N20050 R1=0` is a block of a program
+        let Some(datum) = known(word, digits.filter(|_| word.starts_with('$')), index) else {
             self.to.others += 1;
             self.scan.value();
             return;
@@ -238,9 +259,18 @@ impl Line<'_> {
         let unnumbered = gud::find(word).is_some() && arrays::split(&datum.name).is_none();
         match self.values(&datum.sizes) {
             Ok(_) if unnumbered => self.to.unread.push(self.odd(word.to_owned(), before.rest())),
-            Ok(values) => self.fill(&datum, &values, false),
+            Ok(values) => self.take(&datum, &values, false),
             Err(text) => self.to.unread.push(self.odd(datum.name, &text)),
         }
+    }
+
+    /// Gives a datum its values, if these are of its kind.
+    fn take(&mut self, datum: &Datum, values: &First, defined: bool) {
+        let text = |value: &&Value| matches!(value, Value::Text(_));
+        let other = |value: &&Value| datum.holds.is_some_and(|holds| (holds == Holds::Text) != text(value));
+        let Some(wrong) = each(values).find(other) else { return self.fill(datum, values, defined) };
+        let odd = self.odd(datum.name.clone(), &shown(wrong));
+        if text(&wrong) { self.to.texts.push(odd) } else { self.to.numbers.push(odd) }
     }
 
     /// The next values, for something of these sizes; else what stands there instead, and the line goes on behind it.
@@ -298,7 +328,7 @@ impl Line<'_> {
         match values {
             Ok(values) => {
                 self.list(found, &sizes, values.count());
-                self.fill(&Datum { name, sizes, channel: found.channel }, &values, true);
+                self.take(&Datum { name, sizes, channel: found.channel, holds: holds(found) }, &values, true);
             }
             Err(text) => {
                 self.to.unread.push(self.odd(name, &text));
@@ -381,11 +411,33 @@ fn of_one(values: &First) -> bool {
 /// and several values need an array.
 fn fits(values: &First, sizes: &[usize]) -> bool {
     let possible = |value: &Value| !matches!(value, Value::Number(number) if number.abs() > f64::from(u32::MAX));
-    let all = match values {
-        First::Each(values) => values.iter().flatten().all(possible),
-        First::Same(value, _) => possible(value),
+    each(values).all(possible) && (!sizes.is_empty() || of_one(values))
+}
+
+/// The values that are written.
+fn each(values: &First) -> impl Iterator<Item = &Value> {
+    let (list, one) = match values {
+        First::Each(values) => (values.as_slice(), None),
+        First::Same(value, _) => ([].as_slice(), Some(value)),
     };
-    all && (!sizes.is_empty() || of_one(values))
+    list.iter().flatten().chain(one)
+}
+
+/// What a datum holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Holds {
+    Number,
+    Text,
+}
+
+/// What a user datum holds; none: either. The two signs of the log are CHAR (B:13165), which takes a code too.
+fn holds(gud: &Gud) -> Option<Holds> {
+    match gud.kind {
+        Kind::Frame => None,
+        Kind::Text if gud.name == SIGNS => None,
+        Kind::Text => Some(Holds::Text),
+        Kind::Real | Kind::Integer | Kind::Bool => Some(Holds::Number),
+    }
 }
 
 /// Whether a number of a block is that of another machine datum than the one that is named: the control reads the name.
@@ -419,6 +471,8 @@ struct Datum {
     /// Sizes of the array that it is; empty: a single value.
     sizes: Vec<usize>,
     channel: bool,
+    /// What its values have to be; none: either a number or a text.
+    holds: Option<Holds>,
 }
 
 fn numbered(word: &str) -> bool {
@@ -435,17 +489,23 @@ fn sizes(index: &str) -> Option<Vec<usize>> {
 
 /// The datum with this name in upper case, known by its number where the name is not printed in the manual.
 fn known(name: &str, number: Option<&str>, index: Option<String>) -> Option<Datum> {
-    let index = index.map_or(String::new(), |index| format!("[{}]", index.replace(' ', "")));
+    let index = index.map_or(String::new(), |index| format!("[{index}]"));
     if let Some(gud) = gud::find(name) {
-        return Some(Datum { name: format!("{name}{index}"), sizes: gud.sizes.to_vec(), channel: gud.channel });
+        let (name, sizes) = (format!("{name}{index}"), gud.sizes.to_vec());
+        return Some(Datum { name, sizes, channel: gud.channel, holds: holds(gud) });
     }
     if let Some(datum) = number.and_then(setting_data::find).or_else(|| setting_data::find(name)) {
         let name = format!("{}{index}", datum.name());
-        return Some(Datum { name, sizes: Vec::new(), channel: datum.of_channel() });
+        return Some(Datum { name, sizes: Vec::new(), channel: datum.of_channel(), holds: Some(Holds::Number) });
     }
     let datum = machine_datum(name, number)?;
-    let sizes = if datum.elements > 0 { vec![datum.elements] } else { Vec::new() };
-    Some(Datum { name: format!("{}{index}", datum.number), sizes, channel: of_channel(datum) })
+    let sizes = match datum.elements {
+        0 if datum.number == GEOMETRY_NAMES => vec![AXES],
+        0 => Vec::new(),
+        elements => vec![elements],
+    };
+    let holds = Some(if datum.text { Holds::Text } else { Holds::Number });
+    Some(Datum { name: format!("{}{index}", datum.number), sizes, channel: of_channel(datum), holds })
 }
 
 /// Whether every channel has its own: machine data 20000 to 29999, setting data 42000 to 42999.
@@ -491,6 +551,8 @@ mod tests {
             "md18118=7",
             "MM_NUM_GUD_MODULES=7.0",
             "\u{feff}N18118 $MN_SOMETHING_ELSE='H07'",
+            "MD 18118 = 7",
+            "MD18118 := 7",
             "MD18118 'B111'\nMD18118=7",
         ] {
             assert_eq!(number(text, "MD18118"), Some(7.0), "{text}");
@@ -518,6 +580,39 @@ mod tests {
             assert_eq!(renamed(text), [""; 0], "{text}");
         }
         assert_eq!(read("N10000 $MN_AXCONF_MACHAX_NAME_TAB[0]=\"X1\"").others, 1);
+    }
+
+    // oracle: hand (the same line with blanks where somebody types them)
+    #[test]
+    fn blanks_do_not_hide_a_datum() {
+        for (text, name) in [
+            ("MD 20050[2] = 0", "MD20050[2]"),
+            ("MD 20050 [2]=0", "MD20050[2]"),
+            ("20050[2]=0", "MD20050[2]"),
+            ("MD20050[ 2 ] : 0", "MD20050[2]"),
+            ("MD 13200 [0] = FALSE", "MD13200[0]"),
+            ("N20050 $MC_AXCONF_GEOAX_ASSIGN_TAB [\t2 ] =0", "MD20050[2]"),
+            ("_TP [ 0 ,\t9 ] = 0", "_TP[0,9]"),
+            ("MD 32200[ 0, X1 ]=0", "MD32200[0,X1]"),
+            ("MD18120=30, 20050[2] = 0", "MD20050[2]"),
+        ] {
+            assert_eq!(number(text, name), Some(0.0), "{text}");
+        }
+        assert_eq!(read("_TP [ 0, 9 ]").data.len(), 0);
+    }
+
+    // oracle: hand (`==` compares; a block number is none of a machine datum unless its name stands behind it)
+    #[test]
+    fn what_is_compared_is_not_assigned() {
+        for text in [
+            "IF _CHBIT[2]==0 GOTOF A", "IF (_CBIT[0] == TRUE)", "IF 18118==7", "IF _SPEED[1]<=5 GOTOF A",
+            "IF _SPEED[1]<>5", "IF _CBIT[R[1]]==0 GOTOF A", "N20050 R1=0",
+        ] {
+            let read = read(text);
+            assert_eq!((read.data.len(), read.unread.len()), (0, 0), "{text}");
+        }
+        let told = read("_CBIT[R[1]]=0\n_SPEED[0]=_SPEED[1]==0");
+        assert_eq!((told.data.len(), told.unread.len()), (0, 2));
     }
 
     // oracle: hand

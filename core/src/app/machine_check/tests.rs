@@ -1,7 +1,7 @@
 #![allow(clippy::unwrap_used)]
 
 use super::*;
-use crate::control::needs::{GUD_VALUES, Need, Test, When};
+use crate::control::needs::{GUD_VALUES, NEEDS, Need, Test, When};
 use crate::words::Words;
 use Severity::{Error, Note, Warning};
 use fault::{spelled, written};
@@ -167,6 +167,17 @@ fn user_data_are_held_against_each_other() {
         ("_SPEED[0]=-1", "_SPEED[0]", Error, "61339"),
         ("_CM[5]=0", "_CM[5]", Error, "61366"),
         ("_CBIT[12]=1\n_MFS[1]=0", "_MFS[1]", Error, "61350"),
+        ("_SPEED[0]=120", "_SPEED[0]", Error, ""), // 61339 is for a negative one alone (A:15880)
+        ("_SPEED[2]=-1", "_SPEED[2]", Error, "61338"),
+        ("_CBIT[12]=1\n_MFS[0]=-5", "_MFS[0]", Error, "61350"),
+        ("_MFS[0]=-5", "_MFS[0]", Error, ""),
+        ("_TP[0,9]=-1", "_TP[0,9]", Error, "61349"),
+        ("_TPW[2,9]=-1", "_TPW[2,9]", Error, "61349"),
+        ("_TP[0,6]=-1", "_TP[0,6]", Error, ""),
+        ("E_MESS_MT_DL[0]=-1", "E_MESS_MT_DL[0]", Error, "61230"),
+        ("DEF CHAN REAL E_MESS_MT_DR[5]=SET(1,1,1,1,-1)", "E_MESS_MT_DR[4]", Error, "61230"),
+        ("_CVAL[2]=2.5", "_CVAL[2]", Error, ""),
+        ("_CVAL[2]=100", "_CVAL[2]", Error, ""),
         ("_TP[0,8]=102", "_TP[0,8]", Error, "61309"),
         ("_TPW[0,9]=0", "_TPW[0,9]", Error, "61349"),
         ("_TP[0,7]=143", "_TP[0,7]", Warning, ""),
@@ -185,6 +196,7 @@ fn user_data_are_held_against_each_other() {
         ("E_MESS_MT_DR[2]=0", "E_MESS_MT_DR[2]", Error, "61230"),
         ("_CHBIT[0]=1\nE_MESS_MS_IN=0", "_CHBIT[0]", Warning, ""),
         ("_CVAL[1]=1\n_JM_I[1]=2", "_JM_I[1]", Error, "61313"),
+        ("_CVAL[1]=0\n_JM_I[1]=-1", "_JM_I[1]", Error, ""),
         ("_MC_SIMSIM=0", "_MC_SIMSIM", Note, ""),
         ("_CVAL[1]=3\nDEF CHAN REAL _MC_MTL[2]=(33.3,33.3)", "_MC_MTL", Note, ""),
     ] {
@@ -207,6 +219,203 @@ fn user_data_are_held_against_each_other() {
     let two = check("MD10240=1\nCHANDATA(1)\n_CHBIT[24]=1\nCHANDATA(2)\n_CHBIT[24]=0");
     assert_eq!(two.faults.iter().map(|fault| fault.channel).collect::<Vec<_>>(), [Some(2)]);
     assert_eq!(two.changes, "CHANDATA(2)\n_CHBIT[24]=1\n");
+}
+
+// oracle: hand (nothing says which value is right: what 0 is for, how many fields there are, what calibration writes)
+#[test]
+fn no_line_is_made_up_where_no_right_value_is_known() {
+    for text in [
+        "E_MESS_MT_DR[0]=-1",
+        "E_MESS_MT_DL[0]=-1",
+        "_CBIT[12]=1\n_MFS[0]=-5",
+        "_MFS[4]=-5",
+        "_TP[0,6]=-1",
+        "_CVAL[2]=100",
+        "_CVAL[2]=2.5",
+        "_EVMVNUM[0]=-1",
+        "_WP[0,0]=-1",
+        "_CVAL[1]=0\n_JM_I[1]=1",
+        "_CVAL[1]=0\n_JM_I[1]=-1",
+        "DEF NCK REAL _WP[120,11]\n_CVAL[1]=3",
+        "MD10240=2\n_CBIT[3]=1",
+    ] {
+        assert_eq!(check(text).changes, "", "{text}");
+    }
+    for (text, changes) in [("_TP[0,9]=-1", "_TP[0,9]=2\n"), ("_JM_I[1]=-1", "_JM_I[1]=1\n")] {
+        assert_eq!(check(text).changes, changes, "{text}");
+    }
+}
+
+// oracle: manual B:13807-13821 (four sizes and five speeds, each from small to large, of both tables)
+#[test]
+fn a_correction_table_has_sizes_and_speeds_in_ascending_order() {
+    let table = |name: &str, speeds: [u32; 5]| {
+        let sizes = (1..=4).map(|i| format!("{name}[0,{i}]={i}\n"));
+        sizes.chain((1..).zip(speeds).map(|(i, speed)| format!("{name}[{i},0]={speed}\n"))).collect::<String>()
+    };
+    let told = |text: &str| {
+        let view = check(&format!("_MT_COMP=2\n{text}"));
+        view.faults.iter().filter_map(|fault| fault.message.word("tables").map(str::to_owned)).collect::<Vec<_>>()
+    };
+    let [right, falling] = [[1, 2, 3, 4, 5], [5, 4, 3, 2, 1]];
+    let [in_plane, lengths] = ["_MT_EC_R", "_MT_EC_L"];
+    assert_eq!(told(&(table(in_plane, right) + &table(lengths, right))), [""; 0]);
+    assert_eq!(told(&(table(in_plane, falling) + &table(lengths, right))), ["_MT_EC_R"]);
+    assert_eq!(told(&(table(in_plane, right) + "DEF CHAN REAL _MT_EC_L[6,5]")), ["_MT_EC_L"]);
+    assert_eq!(told(&table(lengths, [0, 1, 2, 3, 4])), ["_MT_EC_R, _MT_EC_L"]);
+    assert_eq!(told(&(table(in_plane, right) + &table(lengths, right) + "_MT_EC_R[0,3]=9")), ["_MT_EC_R"]);
+}
+
+// oracle: manual B:13726-13734, B:13539-13565, B:14084-14093 (sizes), hand
+#[test]
+fn elements_that_no_array_has_are_told_and_not_compared() {
+    for (text, name, read) in [
+        ("_CBIT[99]=1", "_CBIT[99]", 0),
+        ("_SPEED[9]=5", "_SPEED[9]", 0),
+        ("_TP[50,1]=3\n_CVAL[0]=3", "_TP[50,1]", 1),
+        ("_TP[2,1]=3\n_CVAL[0]=3", "", 2),
+        ("DEF NCK REAL _TP[2,10]=(0,0,0,0,0,0,8,133,0,2,0,0,0,0,0,0,8,133,0,2)\n_TP[2,1]=3", "_TP[2,1]", 20),
+        ("DEF NCK BOOL _CBIT[17]\n_CBIT[17]=0", "_CBIT[17]", 0),
+        ("_TP[5]=3", "_TP[5]", 0),
+        ("_DIGIT[0]=3", "_DIGIT[0]", 0),
+        (";DEF NCK REAL _KB[3,7]\n_KB[0,0]=1", "_KB[0,0]", 0),
+        ("MD20050[7]=0", "MD20050[7]", 0),
+        ("MD13200[2]=1", "MD13200[2]", 0),
+        ("E_MESS_MT_DZ[5]=2", "", 1),
+    ] {
+        let view = check(text);
+        let names: Vec<&str> = view.faults.iter().map(|fault| fault.name.as_str()).collect();
+        assert_eq!((names.first().copied().unwrap_or(""), names.len() < 2, view.read), (name, true, read), "{text}");
+        assert!(view.faults.iter().all(|fault| fault.severity == Error && fault.change.is_empty()), "{text}");
+    }
+}
+
+// oracle: hand (a text is no number and a number no text, each is told once)
+#[test]
+fn texts_and_numbers_are_not_mixed() {
+    for (text, name, key) in [
+        ("_SPEED[1]=\"abc\"", "_SPEED[1]", "machine-check-text"),
+        ("_CBIT[13]=\"1\"", "_CBIT[13]", "machine-check-text"),
+        ("_TP[0,9]=\"0\"", "_TP[0,9]", "machine-check-text"),
+        ("DEF CHAN REAL _SPEED[4]=(50,\"a\",1000,900)", "_SPEED", "machine-check-text"),
+        ("N18118 $MN_MM_NUM_GUD_MODULES=\"seven\"", "MD18118", "machine-check-text"),
+        ("N54600 $SNS_MEA_WP_BALL_DIAM[0]=\"6\"", "SD54600[0]", "machine-check-text"),
+        ("_SI[1]=6", "_SI[1]", "machine-check-number"),
+        ("MD20060[0]=1", "MD20060[0]", "machine-check-number"),
+    ] {
+        let view = check(text);
+        let told: Vec<(&str, &str)> =
+            view.faults.iter().map(|fault| (fault.name.as_str(), fault.message.key.as_ref())).collect();
+        assert_eq!((told, view.read, view.changes.as_str()), (vec![(name, key)], 0, ""), "{text}");
+    }
+    assert_eq!(told(&check("_PROTSYM[0]=59\n_PROTSYM[1]=\"#\"\n_PROTNAME[0]=\"A\"")), []);
+}
+
+// oracle: manual B:12971-12974 (7 KB, 4 KB a channel, 0.5 KB a channel with JOG): a channel of which no datum is known
+// needs them too
+#[test]
+fn each_channel_of_the_export_needs_memory() {
+    let second = "N18150 $MN_MM_GUD_VALUES_MEM=15\nCHANDATA(1)\nN20050 $MC_AXCONF_GEOAX_ASSIGN_TAB[2]=3\nCHANDATA(2)\n";
+    for (text, limit) in [("N20070 $MC_AXCONF_MACHAX_USED[0]=1", "16"), ("", "11.5")] {
+        let view = check(&format!("{second}{text}"));
+        assert_eq!(view.faults[0].limits[0].value, limit, "{text}");
+        assert_eq!(view.faults[0].severity == Error, limit == "16", "{text}");
+    }
+}
+
+// oracle: manual A:15878 (61336), B:14084-14093 (which geometry axes there are)
+#[test]
+fn a_geometry_axis_that_is_used_has_a_name() {
+    let name = |index: u32, name: &str| format!("N20060 $MC_AXCONF_GEOAX_NAME_TAB[{index}]=\"{name}\"\n");
+    assert_eq!(told(&check(&name(0, ""))), [("MD20060[0]", Error, "61336")]);
+    assert_eq!(told(&check(&(name(0, "X") + &name(1, " ")))), [("MD20060[1]", Error, "61336")]);
+    assert_eq!(told(&check(&name(0, "X"))), []);
+    let lathe = format!("{}MD20050=(1,0,2)", name(1, ""));
+    let view = machine_check(MachineCheckRequest { without: vec![Use::Jog], ..asked(&lathe) }).unwrap();
+    assert_eq!(told(&view), []);
+}
+
+// oracle: self (a machine datum counts as compared only if some value of it is told)
+#[test]
+fn only_what_is_held_against_something_counts_as_compared() {
+    let others =
+        ["_CBIT[3]=1", "E_MESS_FM=300", "MD10050=1", "MD10070=1", "MD32300[X1]=1", "MD32200[X1]=1", "MD28082=33"];
+    for datum in crate::control::machine_data::MACHINE_DATA {
+        let axis = ["MD32200", "MD32300"].contains(&datum.number);
+        let name = match (axis, datum.elements > 0 || datum.number == "MD20060") {
+            (true, _) => format!("{}[X1]", datum.number),
+            (_, true) => format!("{}[0]", datum.number),
+            _ => datum.number.to_owned(),
+        };
+        let values: &[&str] = if datum.text { &["\"\""] } else { &["-1", "0", "1", "2", "1000000"] };
+        let own = others.into_iter().filter(|line| !line.starts_with(&name)).collect::<Vec<_>>().join("\n");
+        let check = |line: String| {
+            let asked = asked(&format!("{own}\n{line}"));
+            machine_check(MachineCheckRequest { deflection: Some(1e9), ..asked }).unwrap()
+        };
+        let without = check(String::new());
+        let each: Vec<MachineCheckView> = values.iter().map(|value| check(format!("{name}={value}"))).collect();
+        let told = each.iter().any(|view| view.faults.iter().any(|fault| !without.faults.contains(fault)));
+        assert!(each.iter().all(|view| view.read == without.read + usize::from(told)), "{name}");
+    }
+    let others = check("MD18118=7\nN20080 $MC_A[0]=\"X\"\nN30300 $MA_IS_ROT_AX[AX4]=1\nSD54600[0]=6\nMD18102=0");
+    assert_eq!((others.read, others.ending.word("others")), (1, None));
+    let counted = Message::new("machine-check-ending").number("read", 1.0).number("others", 4.0);
+    assert_eq!(others.ending, counted.number("errors", 0.0).number("warnings", 0.0).number("notes", 2.0));
+}
+
+// oracle: manual B:12948-12974 (what MD18150 has to be follows from the channels, so a limit is always there)
+#[test]
+fn what_is_missing_is_named_with_the_memory_for_values() {
+    let missing = |without: &[Use]| {
+        machine_check(MachineCheckRequest { without: without.to_vec(), ..asked("MD18118=7") }).unwrap().missing
+    };
+    let has = |names: Vec<String>, name: &str| names.iter().any(|one| one.starts_with(name));
+    assert!(has(missing(&[]), "MD18150") && has(missing(&[Use::Jog]), "MD18150"));
+    assert!(has(missing(&[]), "MD11602") && !has(missing(&[Use::Jog]), "MD11602"));
+    assert!(!has(missing(&[]), "MD18118"));
+}
+
+// oracle: manual B:1149-1161 (of the axes that take part the lowest values; m/s² are those of a linear axis), A:15872
+// (MD30300: rotary axis); hand: 0.02 + 0.0125 + 0.3 mm at 300 mm/min with 1 m/s² and 1 (m/min)/mm, 1.6 mm with the other
+#[test]
+fn a_rotary_axis_is_no_slowest_axis() {
+    let linear = "N32300 $MA_MAX_AX_ACCEL[X1]=1\nN32200 $MA_POSCTRL_GAIN[0,X1]=1\n";
+    let rotary = "N32300 $MA_MAX_AX_ACCEL[AX4]=0.1\nN32200 $MA_POSCTRL_GAIN[0,AX4]=0.2\n";
+    let clock = "MD10050=0.004\nMD10070=1\nE_MESS_FM=300\n";
+    let with = |text: String| machine_check(MachineCheckRequest { deflection: Some(1.0), ..asked(&text) }).unwrap();
+    let sort = |rotary: u32| format!("N30300 $MA_IS_ROT_AX[AX4]={rotary}\n");
+    let view = with(format!("{clock}{linear}{rotary}{}", sort(1)));
+    assert_eq!((view.axis.map(|axis| (axis.acceleration, axis.gain)), told(&view)), (Some((1.0, 1.0)), vec![]));
+    let told_of = |text: String| told(&with(text)).into_iter().map(|(name, ..)| name.to_owned()).collect::<Vec<_>>();
+    assert_eq!(told_of(format!("{clock}{linear}{rotary}{}", sort(0))), ["E_MESS_FM"]);
+    assert_eq!(told_of(format!("{clock}{linear}{rotary}")), ["E_MESS_FM"]);
+    // of rotary axes alone nothing follows
+    let alone = with(format!("{clock}{rotary}{}", sort(1)));
+    assert_eq!((alone.axis, alone.faults[0].message.key.as_ref()), (None, "machine-check-no-axis"));
+    assert!(alone.missing.contains(&"MD32300 MAX_AX_ACCEL".to_owned()), "{:?}", alone.missing);
+}
+
+// oracle: manual B:12976-12983 (bits 0 and 5): whichever line is followed, the datum is right
+#[test]
+fn a_datum_has_one_line_with_all_its_bits() {
+    let view = check("MD28082=0");
+    let lines: Vec<&str> = view.faults.iter().map(|fault| fault.change.as_str()).collect();
+    assert_eq!(lines, ["N28082 $MC_MM_SYSTEM_FRAME_MASK='H21'"; 2]);
+    assert_eq!(view.changes, "N28082 $MC_MM_SYSTEM_FRAME_MASK='H21'\n");
+    // what is no mask has no bits
+    for text in ["MD20112=-1", "MD28082=33.5", "MD20112=0.5"] {
+        assert!(check(text).faults.iter().any(|fault| fault.severity == Error), "{text}");
+    }
+}
+
+// oracle: hand (a program compares, its block numbers are those of no machine datum)
+#[test]
+fn a_program_gives_only_what_it_assigns() {
+    let program = "N10 IF _CHBIT[2]==0 GOTOF A\nN20 IF (_CBIT[0]==TRUE) AND _SPEED[1]>=1000\nN20050 R1=0\n\
+                   N30 WHILE 18118 == 7\nN40 _CHBIT[16]=1\nN50 A: E_MESS_RETT=CTRANS(X,1):CROT(Z,5)\nM2\n";
+    let view = check(program);
+    assert_eq!((told(&view), view.read), (vec![], 1));
 }
 
 // oracle: manual B:14084-14093 (1, 2, 3; two geometry axes are no axis twice)
@@ -359,6 +568,17 @@ fn each_row_is_missed_and_mended_alone() {
     assert!(need.is_some_and(|need| need.limits.len() == 1));
 }
 
+/// What somebody types, and what a list or an axis of the export says.
+const VALUES: [&str; 13] = ["-5", "-1", "0", "0.5", "1", "2", "3", "4", "12", "133", "300", "5000", "\"1\""];
+const COUNTS: [&str; 4] = ["_CVAL[0]", "_CVAL[1]", "_JM_I[1]", "_JM_I[2]"];
+const LISTS: [&str; 5] = [
+    "DEF NCK REAL _TP[2,10]",
+    "DEF NCK REAL _WP[120,11]",
+    "DEF CHAN REAL _SPEED[4]=(50)",
+    "DEF CHAN REAL E_MESS_MT_DL[2]=SET(-1)",
+    "MD10050=0.004\nMD10070=3\nMD32200[X1]=1\nMD32300[X1]=1",
+];
+
 proptest! {
     // oracle: self (the lines to change, read behind the export, leave nothing to change)
     #[test]
@@ -399,6 +619,42 @@ proptest! {
         let after = machine_check(MachineCheckRequest { files, ..asked("") }).unwrap();
         let left: Vec<&MachineFault> = after.faults.iter().filter(|fault| !fault.change.is_empty()).collect();
         prop_assert!(left.is_empty(), "{text}\n{}\n{left:?}", before.changes);
+    }
+
+    // oracle: self (a line to change causes no error, neither at its datum nor at another one, and leaves nothing to
+    // change)
+    #[test]
+    fn no_line_to_change_causes_an_error(
+        values in prop::collection::vec((any::<prop::sample::Index>(), 0_usize..VALUES.len(), 0_u32..4), 1..40),
+        counts in prop::collection::vec((0_usize..COUNTS.len(), 0_usize..VALUES.len()), 0..4),
+        lists in prop::collection::vec(any::<bool>(), LISTS.len()),
+        metric in 0_u8..4,
+        deflection in prop::option::of(0.01_f64..3.0),
+    ) {
+        let elements: Vec<String> = crate::control::gud::all().filter(|gud| gud.of_machine()).flat_map(|gud| {
+            gud.elements.iter().flat_map(|element| gud.places(element, 2)).map(|at| gud.spelled(&at))
+        }).collect();
+        let mut text = if metric < 3 { format!("MD10240={metric}\n") } else { String::new() };
+        for (list, _) in LISTS.iter().zip(lists).filter(|(_, there)| *there) {
+            text += &format!("{list}\n");
+        }
+        let chosen = values.into_iter().map(|(at, value, channel)| (at.get(&elements).clone(), VALUES[value], channel));
+        let counts = counts.into_iter().map(|(at, value)| (COUNTS[at].to_owned(), VALUES[value], 0));
+        for (name, value, channel) in chosen.chain(counts) {
+            text += &format!("CHANDATA({channel})\n{name}={value}\n");
+        }
+        let file = |name: &str, text: &str| ExportedFile { name: name.to_owned(), text: text.to_owned() };
+        let with = |files| machine_check(MachineCheckRequest { files, deflection, ..asked("") }).unwrap();
+        let before = with(vec![file("A.TEA", &text)]);
+        let after = with(vec![file("A.TEA", &text), file("CHANGES.TEA", &before.changes)]);
+        let left = after.faults.iter().find(|fault| !fault.change.is_empty());
+        prop_assert!(left.is_none(), "{text}\n{}\n{left:?}", before.changes);
+        let known = |fault: &MachineFault| {
+            let same = |one: &MachineFault| one.name == fault.name && one.message.key == fault.message.key;
+            before.faults.iter().any(same)
+        };
+        let new = after.faults.iter().find(|fault| fault.severity == Error && !known(fault));
+        prop_assert!(new.is_none(), "{text}\n{}\n{new:?}", before.changes);
     }
 
     // oracle: self

@@ -1,11 +1,13 @@
 //! User data against the arrays, the machine data and each other.
 
+use super::elements::{MOST, Room, probes};
 use super::fault::{Files, MachineFault};
 use super::read::{Exported, shown};
+use crate::control::arrays::stem;
 use crate::control::delivery::factor;
-use crate::control::gud::{Element, Gud, Initial};
+use crate::control::gud::{Element, Gud, Initial, Kind, Unit};
 use crate::control::needs::Use;
-use crate::control::{BASIC_SYSTEM, Units, Value, gud};
+use crate::control::{BASIC_SYSTEM, CALIBRATED, Units, Value, gud};
 use crate::diagnostic::Severity;
 use crate::form::machine::has_effect;
 use crate::message::Message;
@@ -13,7 +15,7 @@ use Severity::{Error, Note, Warning};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Counts of the fields, and the array of each (B:13345-13348, B:2316-2321); the alarm where they differ.
-const COUNTS: [(&str, &str, u32, &str); 6] = [
+pub const COUNTS: [(&str, &str, u32, &str); 6] = [
     ("_CVAL[0]", "_TP", 61416, "B:13345;A:15935"),
     ("_CVAL[1]", "_WP", 61416, "B:13346;A:15935"),
     ("_CVAL[2]", "_KB", 61416, "B:13347;A:15935"),
@@ -22,24 +24,17 @@ const COUNTS: [(&str, &str, u32, &str); 6] = [
     ("_EVMVNUM[1]", "_MV", 0, "B:2316-2321;B:13711-13718"),
 ];
 
-/// Most probes (B:929, B:947).
-const MOST: usize = 99;
-
 /// Data of a field, which an array needs in its second dimension (B:13115-13121).
 const FIELDS: [&str; 4] = ["_TP", "_TPW", "_WP", "_KB"];
 
-/// Alarms of data outside of their range, by the beginning of their names.
-const ALARMS: [(&str, u32); 6] = [
-    ("_SPEED[0]", 61339),
-    ("_SPEED[1]", 61338),
-    ("_SPEED[2]", 61338),
-    ("_CM[5]", 61366),
-    ("_TP[", 61309),
-    ("_TPW[", 61309),
-];
-
 /// Sizes of a tool probe that somebody has to enter before measuring in JOG (B:14294-14296).
 pub const TO_ENTER: [&str; 2] = ["E_MESS_MT_DL", "E_MESS_MT_DR"];
+
+/// Numbers of probes for measuring in JOG (B:14324-14325): what counts these, and their array.
+const NUMBERS: [(&str, &str, &str); 2] = [("_JM_I[1]", "_CVAL[1]", "_WP"), ("_JM_I[2]", "_CVAL[0]", "_TP")];
+
+/// Tables of user-defined corrections (B:13805-13821).
+const TABLES: [&str; 2] = ["_MT_EC_R", "_MT_EC_L"];
 
 /// Depth for measuring a radius as delivered, mm (B:13369).
 const DEPTH: f64 = 2.0;
@@ -102,7 +97,9 @@ fn sizes(given: &Exported, files: &Files) -> Vec<MachineFault> {
             let Some(number) = given.number(count, channel).filter(|number| *number != size) else { continue };
             let message = Message::new(key).text("array", array).number("size", size);
             let fault = MachineFault::new(Error, count, message, source).channel(channel).value(number.to_string());
-            found.push(fault.at(Some(files.told(*place))).alarm(alarm).mended(size));
+            let fault = fault.at(Some(files.told(*place))).alarm(alarm);
+            let countable = gud::place(count).and_then(|(gud, at)| gud.element(&at)).is_some_and(|one| one.takes(size));
+            found.push(if countable { fault.mended(size) } else { fault });
         }
     }
     for array in FIELDS {
@@ -122,29 +119,80 @@ fn ranges(given: &Exported, files: &Files, without: &[Use]) -> Vec<MachineFault>
     let mut found = Vec::new();
     let behind = given.behind_lists().map(|(name, ..)| name);
     let names: BTreeSet<String> = given.data.keys().map(|(name, _)| name.clone()).chain(behind).collect();
-    let of_user = names.iter().filter_map(|name| Some((name, gud::place(name)?)));
-    let seen = of_user.flat_map(|(name, (gud, at))| {
-        given.seeing(gud.channel).into_iter().map(move |channel| (name, channel, gud, at.clone()))
-    });
-    for (name, channel, gud, at) in seen {
-        let Some(datum) = given.get(name, channel) else { continue };
-        let (Some(element), Value::Number(value)) = (gud.element(&at), &datum.value) else { continue };
-        if element.internal || element.takes(*value) || unused(gud, without) {
-            continue;
+    for name in &names {
+        let own = gud::find(stem(name)).filter(|gud| !unused(gud, without));
+        for channel in given.seeing(own.is_some_and(|gud| gud.channel)) {
+            found.extend(own.and_then(|gud| range(given, files, gud, (name, channel))));
         }
-        if !has_effect(name, |switch| given.number(switch, channel)) {
-            continue;
-        }
-        let begins =
-            |(begin, _): &&(&str, u32)| name.starts_with(begin) && (!begin.ends_with('[') || at.get(1) == Some(&8));
-        let alarm = ALARMS.iter().find(begins).map_or(0, |(_, alarm)| *alarm);
-        let fault = MachineFault::new(Error, name, allowed(element, *value), element.source);
-        let fault = fault.channel(channel).value(value.to_string()).at(Some(files.told(datum.place))).alarm(alarm);
-        let Initial::Number(initial) = element.initial else { continue };
-        let initial = in_basic(initial / factor(element.unit, basic(given, channel)));
-        found.push(if element.takes(initial) { fault.mended(initial) } else { fault });
     }
     found
+}
+
+/// What is wrong with a value by itself.
+fn range(given: &Exported, files: &Files, gud: &Gud, (name, channel): (&str, u32)) -> Option<MachineFault> {
+    let Room::Inside(at) = Room::of(given, gud, name, channel) else { return None };
+    let datum = given.get(name, channel)?;
+    let (element, Value::Number(value)) = (gud.element(&at)?, &datum.value) else { return None };
+    let switch = |switch: &str| given.number(switch, channel);
+    let broken = matches!(gud.kind, Kind::Integer | Kind::Bool) && value.fract() != 0.0;
+    if element.internal || element.takes(*value) && !broken || !has_effect(name, switch) {
+        return None;
+    }
+    let above_zero = has_to_be_above_zero(gud, &at, switch);
+    let message = match above_zero {
+        _ if broken => Message::new("machine-check-whole").number("value", *value),
+        Some(_) => Message::new("machine-check-above").number("value", *value).number("min", 0.0),
+        None => allowed(element, *value),
+    };
+    let alarm = above_zero.or_else(|| alarm(gud, &at, *value)).unwrap_or(0);
+    let fault = MachineFault::new(Error, name, message, element.source)
+        .channel(channel)
+        .value(value.to_string())
+        .at(Some(files.told(datum.place)))
+        .alarm(alarm);
+    let right = right(gud, element).filter(|right| most_probes(given, name, channel).is_none_or(|most| *right <= most));
+    Some(match right {
+        Some(right) => fault.mended(in_basic(right / factor(element.unit, basic(given, channel)))),
+        None => fault,
+    })
+}
+
+/// The alarm of a datum with which nothing can be measured unless it is above 0 (A:15841, A:15891, A:15892).
+fn has_to_be_above_zero(gud: &Gud, at: &[usize], number: impl Fn(&str) -> Option<f64>) -> Option<u32> {
+    match (gud.name, at) {
+        ("_TP" | "_TPW", [_, 9]) => Some(61349),
+        ("_MFS", [0 | 1]) if number("_CBIT[12]") == Some(1.0) => Some(61350),
+        (name, _) if TO_ENTER.contains(&name) => Some(61230),
+        _ => None,
+    }
+}
+
+/// The alarm of a value outside of its range (A:15848, A:15879, A:15880, A:15910).
+fn alarm(gud: &Gud, at: &[usize], value: f64) -> Option<u32> {
+    match (gud.name, at) {
+        ("_SPEED", [0]) if value < 0.0 => Some(61339), // above 100 there is none
+        ("_SPEED", [1 | 2]) => Some(61338),
+        ("_CM", [5]) => Some(61366),
+        ("_TP" | "_TPW", [_, 8]) => Some(61309),
+        _ => None,
+    }
+}
+
+/// The value as delivered, if it is right on other machines too: no count of fields, which is that of the arrays, nothing
+/// that calibration writes, and no size, feed or speed of which 0 says that nobody has entered it.
+fn right(gud: &Gud, element: &Element) -> Option<f64> {
+    let Initial::Number(initial) = element.initial else { return None };
+    let counts = COUNTS.iter().any(|(count, ..)| stem(count) == gud.name);
+    let entered = element.unit == Unit::None || initial != 0.0;
+    let calibrated = gud.name == CALIBRATED;
+    Some(initial).filter(|initial| entered && !counts && !calibrated && element.takes(*initial))
+}
+
+/// The highest number of a probe that a datum of measuring in JOG may have; none: it is no number of a probe, or nothing
+/// says how many there are.
+fn most_probes(given: &Exported, name: &str, channel: u32) -> Option<f64> {
+    let (_, count, array) = NUMBERS.iter().find(|(one, ..)| *one == name)?;
+    probes(given, count, array, channel).map(|most| most as f64)
 }
 
 /// The basic system of the control; none is given: metric.
@@ -202,11 +250,9 @@ impl Channel<'_> {
             .at(datum.map(|datum| self.files.told(datum.place)))
     }
 
-    /// How many probes there are: as the array is defined, which the lines to change follow, else as counted.
+    /// How many probes there are.
     fn probes(&self, count: &str, array: &str) -> Option<usize> {
-        let defined = self.given.sizes.get(array).and_then(|(sizes, _)| sizes.first().copied());
-        let counted = || self.number(count).map(|count| count.max(0.0) as usize);
-        defined.or_else(counted).map(|probes| probes.min(MOST))
+        probes(self.given, count, array, self.channel)
     }
 
     fn told(&self, severity: Severity, name: &str, key: &'static str, source: &'static str) -> MachineFault {
@@ -215,7 +261,7 @@ impl Channel<'_> {
 
     /// The basic system, which the data follow (B:13594-13598, B:14059-14061).
     fn units(&self, found: &mut Vec<MachineFault>) {
-        let Some(metric) = self.number("MD10240") else { return };
+        let Some(metric) = self.number(BASIC_SYSTEM).filter(|metric| [0.0, 1.0].contains(metric)) else { return };
         for (name, source) in
             [("_CBIT[3]", "B:13594-13598;A:14731-14737"), ("_CHBIT[24]", "B:14059-14061;A:15217-15219")]
         {
@@ -282,17 +328,28 @@ impl Channel<'_> {
         if self.number("_MT_COMP") == Some(1.0) && self.number("_TP_CF") == Some(0.0) {
             found.push(self.told(Warning, "_MT_COMP", "machine-check-no-make", "B:13797-13805"));
         }
-        let ascending = |table: &str| {
-            let radii: Vec<f64> = (1..=4).filter_map(|i| self.number(&format!("{table}[0,{i}]"))).collect();
-            radii.first() > Some(&0.0) && radii.windows(2).all(|pair| pair[0] < pair[1])
-        };
-        if self.number("_MT_COMP") == Some(2.0) && !ascending("_MT_EC_R") && !ascending("_MT_EC_L") {
-            found.push(self.told(Warning, "_MT_COMP", "machine-check-no-table", "B:13805-13821"));
+        let without: Vec<&str> = TABLES.into_iter().filter(|table| !self.fills(table)).collect();
+        if self.number("_MT_COMP") == Some(2.0) && !without.is_empty() {
+            let message = Message::new("machine-check-no-table").text("tables", without.join(", "));
+            found.push(self.fault(Warning, "_MT_COMP", message, "B:13805-13821"));
         }
     }
 
+    /// Whether a table of corrections has its four sizes and five speeds in ascending order (B:13807-13808).
+    fn fills(&self, table: &str) -> bool {
+        let ascends = |names: Vec<String>| {
+            let values: Vec<Option<f64>> = names.iter().map(|name| self.number(name)).collect();
+            values.first() > Some(&Some(0.0)) && values.windows(2).all(|pair| pair[0] < pair[1])
+        };
+        let sizes = (1..=4).map(|i| format!("{table}[0,{i}]")).collect();
+        let speeds = (1..=5).map(|i| format!("{table}[{i},0]")).collect();
+        ascends(sizes) && ascends(speeds)
+    }
+
     fn measuring_in_jog(&self, found: &mut Vec<MachineFault>) {
-        for name in TO_ENTER.iter().flat_map(|name| (0..MOST).map(move |k| format!("{name}[{k}]"))) {
+        let defined = |name: &str| self.given.sizes.get(name).and_then(|(sizes, _)| sizes.first().copied());
+        let each = |name: &'static str| (0..defined(name).unwrap_or(MOST)).map(move |k| format!("{name}[{k}]"));
+        for name in TO_ENTER.into_iter().flat_map(each) {
             if self.number(&name) == Some(0.0) {
                 let fault = self.told(Error, &name, "machine-check-assign", "B:14294-14296;A:15406-15408");
                 found.push(fault.alarm(61230));
@@ -305,12 +362,13 @@ impl Channel<'_> {
                 found.push(self.fault(Warning, name, message, "B:13888-13898;B:14251-14252"));
             }
         }
-        for (name, count, array) in [("_JM_I[1]", "_CVAL[1]", "_WP"), ("_JM_I[2]", "_CVAL[0]", "_TP")] {
-            let (Some(probe), Some(most)) = (self.number(name), self.probes(count, array)) else { continue };
-            let most = most as f64;
+        for (name, count, _) in NUMBERS {
+            let most = most_probes(self.given, name, self.channel);
+            let (Some(probe), Some(most)) = (self.number(name), most) else { continue };
             if probe > most {
                 let message = Message::new("machine-check-probe").text("other", count).number("most", most);
-                found.push(self.fault(Error, name, message, "B:14324-14325").alarm(61313).mended(most));
+                let fault = self.fault(Error, name, message, "B:14324-14325").alarm(61313);
+                found.push(if most > 0.0 { fault.mended(most) } else { fault });
             }
         }
     }

@@ -84,6 +84,7 @@ impl<'a> Scan<'a> {
         let text = self.take(end.max(1));
         let datum = text.len() >= 4 && text.bytes().all(|digit| digit.is_ascii_digit());
         let mut ahead = *self;
+        ahead.index();
         match plain(text) {
             Some(_) if datum && ahead.assigns() => Token::Word(text),
             Some(number) => Token::Number(number),
@@ -91,23 +92,29 @@ impl<'a> Scan<'a> {
         }
     }
 
-    /// An index, without its brackets: `0,1`, `X1`.
+    /// An index, without its brackets and blanks: `0,1`, `X1`, `R[1]`.
     pub fn index(&mut self) -> Option<String> {
         let rest = self.rest.trim_start().strip_prefix('[')?;
-        let end = rest.find(']')?;
+        let mut open = 1_usize;
+        let end = rest.char_indices().find_map(|(at, sign)| {
+            match sign {
+                '[' => open += 1,
+                ']' => open -= 1,
+                _ => {}
+            }
+            (open == 0).then_some(at)
+        })?;
         self.rest = rest.split_at_checked(end + 1)?.1;
-        Some(rest.get(..end)?.trim().to_ascii_uppercase())
+        Some(rest.get(..end)?.split_whitespace().collect::<String>().to_ascii_uppercase())
     }
 
-    /// Whether a value follows; goes behind the sign that says so.
+    /// Whether a value follows; goes behind the sign that says so. `==` compares.
     pub fn assigns(&mut self) -> bool {
-        match self.rest.trim_start().strip_prefix(['=', ':']) {
-            Some(rest) => {
-                self.rest = rest;
-                true
-            }
-            None => false,
-        }
+        let rest = self.rest.trim_start();
+        let behind = rest.strip_prefix(":=").or_else(|| rest.strip_prefix(['=', ':']));
+        let Some(behind) = behind.filter(|_| !rest.starts_with("==")) else { return false };
+        self.rest = behind;
+        true
     }
 
     /// Whether a value goes on: behind a comma, `12,5`, which is no number of a control and no next datum either; or

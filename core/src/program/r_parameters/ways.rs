@@ -7,8 +7,8 @@ use crate::program::flow::structure::{returns, target};
 use crate::program::flow::{Called, called, called_here, callers};
 use crate::syntax::fold::NOTHING;
 use crate::syntax::language::{BY_TEXT, MODAL, is_word};
-use crate::syntax::links::canonical;
 use crate::syntax::programs::{Programs, Unit};
+use crate::syntax::targets::canonical;
 use crate::syntax::{Expr, ExprId, Program, Word, WordKind, fold};
 use std::collections::{BTreeMap, BTreeSet};
 
