@@ -1715,7 +1715,7 @@ export type MachineCheckView = {
   faults: Array<MachineFault>,
   /** How many data were compared and what came of it, in words. */
   ending: Message,
-  /** Data that were read and are known to a check. */
+  /** Data that a check held against something. */
   read: number,
   /** Machine data that measuring needs and that no file gives, as their control calls them. */
   missing: Array<string>,

@@ -129,7 +129,9 @@ impl Touching<'_> {
 /// A feed at which the probe may touch; none: it does not, or nothing is given.
 fn touching<'a>(given: &'a Exported, name: &str, channel: u32) -> Option<Touching<'a>> {
     let (_, switch, as_delivered, source) = *FEEDS.iter().find(|(feed, ..)| *feed == name)?;
-    let watched = switch.is_empty() || given.number(switch, channel).unwrap_or(as_delivered) == 1.0;
+    // what is neither 0 nor 1 gets a line to change with the value as delivered
+    let switch = given.number(switch, channel).filter(|value| [0.0, 1.0].contains(value)).unwrap_or(as_delivered);
+    let watched = switch == 1.0;
     let (datum, feed) = (given.get(name, channel)?, given.number(name, channel)?);
     let inch = !of_jog(name) && given.number(BASIC_SYSTEM, channel) == Some(0.0);
     watched.then_some(Touching { datum, feed, unit: if inch { INCH } else { 1.0 }, source })
