@@ -129,7 +129,8 @@ fn the_same_values_arrive_after_the_conversion() {
         if !ended || !ends {
             // it has no end, or comes to a label that is not there: lines that are gone counted as work
             let both = before.len().min(after.len());
-            (before.truncate(both), after.truncate(both));
+            before.truncate(both);
+            after.truncate(both);
         }
         prop_assert_eq!(before, after, "{}\n{}", text, today);
         Ok(())
