@@ -109,7 +109,8 @@ function play(preview: Preview, { begins }: SceneData, from: number, ended: () =
     const at = first + (Math.max(0, now - start) / 1000) * speed;
     if (at >= end || from >= last) {
       preview.setStep(Math.max(0, last), 1);
-      return ended();
+      ended();
+      return;
     }
     let step = from;
     while (step < last && (begins[step + 1] ?? end) <= at) step++;
