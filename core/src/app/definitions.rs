@@ -800,8 +800,8 @@ mod tests {
         assert_eq!(back.ending, ending.number("problems", 2.0));
     }
 
-    // oracle: hand (two values of a second channel, six of no element, two texts for numbers; a memory that the form does
-    // not show is taken)
+    // oracle: hand (two values of a second channel, six of no element, two texts for numbers; a memory that the form
+    // does not show is taken)
     #[test]
     fn no_value_is_dropped_without_a_word() {
         let text = "CHANDATA(1)\n_SPEED[1]=900\nCHANDATA(2)\n_CHBIT[16]=1\n_SPEED[0]=77\n";
@@ -822,7 +822,8 @@ mod tests {
         let (back, _) = read_and_written("CHANDATA(2)\n_SPEED[0]=77\n", json!({}));
         assert_eq!((back.ending, back.machine.data.len()), (ending(0.0, 0.0, 1.0), 0));
 
-        let text = "_CBIT[99]=1\n_TP[50,1]=3\n_SPEED[9]=5\n_SPEED[1]=\"abc\"\n_CBIT[0]=\"1\"\n_EVMVNUM[0]=200 _EV[150]=0.3\n\
+        let text = "_CBIT[99]=1\n_TP[50,1]=3\n_SPEED[9]=5\n_SPEED[1]=\"abc\"\n_CBIT[0]=\"1\"\n\
+                    _EVMVNUM[0]=200 _EV[150]=0.3\n\
                     _EV[300]=1\n_DIGIT[1]=2\n_CBIT[16]=0\nDEF NCK BOOL _CBIT[16]\n_VMS=300\n_TXT[3]=\"a\"";
         let (back, lines) = read_and_written(text, json!({}));
         let wanted = [

@@ -34,8 +34,8 @@ pub fn is_of_control(name: &str) -> bool {
         || is_frame(name)
 }
 
-/// Whether a name is taken, so that no label and no program of the user can have it: words of the language, what belongs
-/// to the control, its data. In upper case.
+/// Whether a name is taken, so that no label and no program of the user can have it: words of the language, what
+/// belongs to the control, its data. In upper case.
 pub fn is_taken(name: &str) -> bool {
     is_reserved(name) || is_of_control(name) || words::left_out(name).is_some() || gud::find(name).is_some()
 }

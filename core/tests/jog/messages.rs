@@ -30,7 +30,8 @@ const READY: &str = "mask align_edge\naxis = X\nref_axis = Y\nmove machine X-20 
 const CORNER: &str = "set PW-JOG = 1\nmask old_corner\nmove machine X20 Y-20 Z-5\nstart\n";
 
 /// All four stored.
-const STORED: &str = "set PW-JOG = 1\nmask old_corner\nmove machine X20 Y-20 Z-5\nstart\nstore P1\njog X40\nstart\nstore P2\n\
+const STORED: &str = "set PW-JOG = 1\nmask old_corner\nmove machine X20 Y-20 Z-5\nstart\nstore P1\njog X40\nstart\n\
+                      store P2\n\
                       jog X-80\njog Y40\nstart\nstore P3\njog Y30\nstart\nstore P4\n";
 
 // oracle: manual B:3034-3088, B:3684-3688, B:3722-3736 (what counts when), A:3188-3200 (up to SW 6.2); hand for the

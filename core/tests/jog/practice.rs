@@ -316,8 +316,8 @@ fn what_cannot_be_reached_is_told() {
     }
 }
 
-// oracle: hand: the tool probe is a cube of 20 mm with its upper face at Z 50; T1 with its 80 mm stands over it at Z 60,
-// where T2 with its 95 mm, of which the data know 94.8, would be 5 mm in it
+// oracle: hand: the tool probe is a cube of 20 mm with its upper face at Z 50; T1 with its 80 mm stands over it at Z
+// 60, where T2 with its 95 mm, of which the data know 94.8, would be 5 mm in it
 #[test]
 fn a_tool_is_not_taken_where_there_is_no_room() {
     let before = "tool T1\nmove machine Z60\n";

@@ -117,7 +117,8 @@ pub fn exists(name: &str) -> bool {
     beyond_machine_datum(name).is_none()
 }
 
-/// Whether a check holds a datum against something: user data in their arrays, machine data that something is needed of.
+/// Whether a check holds a datum against something: user data in their arrays, machine data that something is needed
+/// of.
 pub fn is_compared(given: &Exported, name: &str, channel: u32) -> bool {
     match gud::find(arrays::stem(name)) {
         Some(gud) => matches!(Room::of(given, gud, name, channel), Room::Inside(_)),

@@ -377,7 +377,8 @@ fn what_is_missing_is_named_with_the_memory_for_values() {
 }
 
 // oracle: manual B:1149-1161 (of the axes that take part the lowest values; m/s² are those of a linear axis), A:15872
-// (MD30300: rotary axis); hand: 0.02 + 0.0125 + 0.3 mm at 300 mm/min with 1 m/s² and 1 (m/min)/mm, 1.6 mm with the other
+// (MD30300: rotary axis); hand: 0.02 + 0.0125 + 0.3 mm at 300 mm/min with 1 m/s² and 1 (m/min)/mm, 1.6 mm with the
+// other
 #[test]
 fn a_rotary_axis_is_no_slowest_axis() {
     let linear = "N32300 $MA_MAX_AX_ACCEL[X1]=1\nN32200 $MA_POSCTRL_GAIN[0,X1]=1\n";

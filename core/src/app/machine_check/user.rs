@@ -178,8 +178,8 @@ fn alarm(gud: &Gud, at: &[usize], value: f64) -> Option<u32> {
     }
 }
 
-/// The value as delivered, if it is right on other machines too: no count of fields, which is that of the arrays, nothing
-/// that calibration writes, and no size, feed or speed of which 0 says that nobody has entered it.
+/// The value as delivered, if it is right on other machines too: no count of fields, which is that of the arrays,
+/// nothing that calibration writes, and no size, feed or speed of which 0 says that nobody has entered it.
 fn right(gud: &Gud, element: &Element) -> Option<f64> {
     let Initial::Number(initial) = element.initial else { return None };
     let counts = COUNTS.iter().any(|(count, ..)| stem(count) == gud.name);
@@ -188,8 +188,8 @@ fn right(gud: &Gud, element: &Element) -> Option<f64> {
     Some(initial).filter(|initial| entered && !counts && !calibrated && element.takes(*initial))
 }
 
-/// The highest number of a probe that a datum of measuring in JOG may have; none: it is no number of a probe, or nothing
-/// says how many there are.
+/// The highest number of a probe that a datum of measuring in JOG may have; none: it is no number of a probe, or
+/// nothing says how many there are.
 fn most_probes(given: &Exported, name: &str, channel: u32) -> Option<f64> {
     let (_, count, array) = NUMBERS.iter().find(|(one, ..)| *one == name)?;
     probes(given, count, array, channel).map(|most| most as f64)

@@ -79,8 +79,8 @@ pub struct Carried {
     pub left: BTreeSet<u32>,
 }
 
-/// Blocks that suited a call as it was (`before`), for what it is `now`: what the call gives them is that of the call as
-/// it is, and what followed from its values by itself follows again; what was chosen otherwise stays.
+/// Blocks that suited a call as it was (`before`), for what it is `now`: what the call gives them is that of the call
+/// as it is, and what followed from its values by itself follows again; what was chosen otherwise stays.
 pub fn carried(program: &Program, site: &CallSite, before: &Inputs, now: &Inputs) -> Carried {
     let mut carried = Carried::default();
     if program.is_of_macro(site.span) {

@@ -52,8 +52,8 @@ struct Walk<'a> {
     lost: Vec<Span>,
 }
 
-/// Each parameter of each call that would come from somewhere else than from its R parameter, once; and where that could
-/// not be followed.
+/// Each parameter of each call that would come from somewhere else than from its R parameter, once; and where that
+/// could not be followed.
 pub(super) fn clashes(program: &Program, programs: &Programs, older: &Older) -> (Vec<Clash>, Vec<Span>) {
     if older.calls.is_empty() || older.unclear.is_some() || !older.ways.is_empty() {
         return (Vec::new(), Vec::new());

@@ -106,8 +106,8 @@ fn not_taken(program: &Program, older: &Older, one: &Assigned) -> Diagnostic {
     }
 }
 
-/// Why words could not be read, and what the text calls and does not hold, for those to whom the findings of the program
-/// are not told anyway.
+/// Why words could not be read, and what the text calls and does not hold, for those to whom the findings of the
+/// program are not told anyway.
 pub fn reasons(program: &Program, programs: &Programs, older: &Older) -> Vec<Diagnostic> {
     let within = |error: &&SyntaxError| {
         let behind = older.unread.partition_point(|word| word.start <= error.span.start);
