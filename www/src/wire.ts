@@ -2318,6 +2318,24 @@ export type PracticeMask = {
   help: Array<HelpSection>,
 };
 
+/** How a part lies, mm and degree. */
+export type PracticePart = {
+  /** Displacement along X of the machine. */
+  dx: number,
+  /** Along Y. */
+  dy: number,
+  /** Along Z. */
+  dz: number,
+  /** Added to every diameter, width and length. */
+  size: number,
+  /** Turned about the applicate. */
+  tilt: number,
+  /** About the abscissa. */
+  leanAbscissa: number,
+  /** About the ordinate. */
+  leanOrdinate: number,
+};
+
 /** What lies on the table. */
 export type PracticePiece = "block" | "pocket" | "hole" | "holes" | "island" | "spigot" | "spigots" | "probe";
 
@@ -2371,8 +2389,8 @@ export type PracticeRequest = {
   script: string,
   /** The part lies as chance puts it by this seed; absent: as `part` says. */
   seed?: number,
-  /** How the part lies: displacement, size and tilt; absent: as in the setup. */
-  part?: PartSliders,
+  /** How the part lies; absent: as in the setup. */
+  part?: PracticePart,
   /** Nobody is to know yet how the part lies: what the next key would do is told as far as the call says it. */
   hides: boolean,
 };

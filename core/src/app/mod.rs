@@ -103,8 +103,9 @@ pub use pointed::{PointedRequest, PointedView, pointed};
 pub use practice::{
     PracticeActivation, PracticeApproach, PracticeArea, PracticeCall, PracticeCallRequest, PracticeChoice,
     PracticeDeviation, PracticeFace, PracticeField, PracticeFigure, PracticeKeys, PracticeMachine, PracticeMask,
-    PracticePoint, PracticeProgram, PracticeRefusal, PracticeRequest, PracticeShow, PracticeUse, PracticeView,
-    PracticeWord, approach, as_mask, as_program, call_text, jog_program, practice_record, practice_setup, practise,
+    PracticePart, PracticePoint, PracticeProgram, PracticeRefusal, PracticeRequest, PracticeShow, PracticeUse,
+    PracticeView, PracticeWord, approach, as_mask, as_program, call_text, jog_program, practice_record, practice_setup,
+    practise,
 };
 pub use predict::{ErrorLimit, ErrorSliders, PartSliders, ProbeSliders};
 pub use program::{

@@ -3,7 +3,7 @@
 
 use super::near;
 use probewright_core::app::{
-    JogAhead, PartSliders, PracticeFace, PracticeRequest, PracticeView, approach, jog, practise,
+    JogAhead, PracticeFace, PracticePart, PracticeRequest, PracticeView, approach, jog, practise,
 };
 use probewright_core::dialect::Dialect;
 use probewright_core::geometry::Degrees;
@@ -32,7 +32,7 @@ const CORNER: &str = "mask corner_right\nzo = G54\nmove Y-25\nmove X20\nmove Z-8
 // oracle: hand: the face lies where the slider put it, and half the oversize further out
 #[test]
 fn a_face_is_found_where_it_was_put() {
-    let part = PartSliders { dx: 1.5, size: 0.4, ..PartSliders::default() };
+    let part = PracticePart { dx: 1.5, size: 0.4, ..PracticePart::default() };
     let view = seen(PracticeRequest { part: Some(part), ..asked(Piece::Block, EDGE) });
     assert_eq!((view.state, view.raised, view.refused), (State::Activate, None, None));
     let change = view.changes.iter().find(|change| change.name == "$P_UIFR[1,X,TR]").unwrap();
@@ -46,7 +46,7 @@ fn a_face_is_found_where_it_was_put() {
 // oracle: hand: an edge says nothing of the angle, a corner does; a part that leans is found to some hundredths
 #[test]
 fn what_is_left_of_the_angle_is_told() {
-    let turned = PartSliders { dx: -2.0, dy: 1.0, tilt: Degrees(2.0), ..PartSliders::default() };
+    let turned = PracticePart { dx: -2.0, dy: 1.0, tilt: Degrees(2.0), ..PracticePart::default() };
     let of = |script: &str| {
         let view = seen(PracticeRequest { part: Some(turned), ..asked(Piece::Block, script) });
         assert_eq!((view.raised, view.refused), (None, None), "{script}");
@@ -65,11 +65,28 @@ fn what_is_left_of_the_angle_is_told() {
     }
 }
 
+// oracle: hand: the plane is aligned by the angles about abscissa and ordinate by which the part was made to lean
+#[test]
+fn a_plane_is_aligned_by_the_angles_of_its_lean() {
+    let (lean_abscissa, lean_ordinate) = (Degrees(1.5), Degrees(-0.8));
+    let part = PracticePart { dz: 0.4, lean_abscissa, lean_ordinate, ..PracticePart::default() };
+    let script = "mask align_plane\nzo = G54\nmove Z10\nmove X20 Y20\nstart\nmove X80\nstart\nmove X50 Y60\nstart\n\
+                  calculate\n";
+    let view = seen(PracticeRequest { part: Some(part), ..asked(Piece::Block, script) });
+    assert_eq!((view.raised, view.refused), (None, None));
+    for (axis, angle) in [("X", lean_abscissa), ("Y", lean_ordinate)] {
+        let name = format!("$P_UIFR[1,{axis},RT]");
+        let change = view.changes.iter().find(|change| change.name == name).unwrap();
+        near(change.after, angle.0, &name);
+    }
+    view.deviation.unwrap().figures.iter().for_each(|one| near(one.value, 0.0, one.axis));
+}
+
 // oracle: definition: how far what is written is from where the part lies does not depend on what was written before,
 // nor on the zero offset in which was measured
 #[test]
 fn the_mark_does_not_depend_on_the_zero_offset_before() {
-    let part = PartSliders { dx: 1.5, dy: -0.7, tilt: Degrees(2.0), ..PartSliders::default() };
+    let part = PracticePart { dx: 1.5, dy: -0.7, tilt: Degrees(2.0), ..PracticePart::default() };
     let edge = "mask set_edge\nzo = G54\nx0 = 4\nmove machine Z-8\nstart\n";
     let other = "mask set_edge\nzo = G54\naxis = Y\nmove machine Y-25\nmove machine X50\nmove machine Z-8\nstart\n";
     let hole = "mask hole_1\nzo = G54\ndiameter = 40\nmove machine Z-10\nstart\n";

@@ -54,6 +54,7 @@ practice-record = Messprotokoll
 practice-record-none = Noch ist nichts gemessen.
 practice-shift = Versatz
 practice-tilt = Drehung
+practice-lean = Neigung um { $axis }
 practice-stand-in = Auf dem Tisch Ihrer Maschine liegt kein Werkstück, oder sie ist eine Drehmaschine. Geübt wird an einer Fräsmaschine mit Werkstück.
 practice-to-do = Was zu tun ist
 practice-face = Auf eine Fläche des Werkstücks klicken: Der Messtaster fährt vor sie. Messtaster ziehen: Eine Achse verfährt.

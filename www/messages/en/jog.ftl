@@ -54,6 +54,7 @@ practice-record = Record
 practice-record-none = Nothing is measured yet.
 practice-shift = Shift
 practice-tilt = Rotation
+practice-lean = Tilt about { $axis }
 practice-stand-in = Your machine has no part on its table, or it is a lathe. This is a milling machine with a part to practise on.
 practice-to-do = What to do
 practice-face = Click a face of the part: the probe moves in front of it. Drag the probe to move an axis.

@@ -54,6 +54,7 @@ practice-record = 测量记录
 practice-record-none = 尚未测量。
 practice-shift = 偏移
 practice-tilt = 旋转
+practice-lean = 绕 { $axis } 倾斜
 practice-stand-in = 您的机床工作台上没有工件，或者是车床。这里使用一台带工件的铣床来练习。
 practice-to-do = 操作步骤
 practice-face = 点击工件表面：测头移到该面前。拖动测头：移动一个轴。

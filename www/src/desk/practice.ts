@@ -58,7 +58,8 @@ export const FACE = "face";
 /** A line that moves one axis by a way. */
 const BY = /^jog ([XYZ])(-?[\d.]+)$/;
 /** What the first lines of a kept script say of the part. */
-const LAID = /^; part (seed=(?<seed>\d+)|x=(?<x>\S+) y=(?<y>\S+) z=(?<z>\S+) tilt=(?<tilt>\S+) size=(?<size>\S+))$/m;
+const LAID =
+  /^; part (seed=(?<seed>\d+)|x=(?<x>\S+) y=(?<y>\S+) z=(?<z>\S+)( a=(?<a>\S+) b=(?<b>\S+))? tilt=(?<tilt>\S+) size=(?<size>\S+))$/m;
 const PIECE = /^; piece (?<piece>[a-z]+)$/m;
 
 /** The largest number by which chance puts a part. */
@@ -69,10 +70,11 @@ export const FILE = "practice.jog";
 
 /** A script with what it begins with, as `probewright jog` reads it. */
 export function scriptOf({ lines, seed, part, seen }: JogState): string {
-  const { dx, dy, dz, tilt, size } = part;
+  const { dx, dy, dz, tilt, leanAbscissa: a, leanOrdinate: b, size } = part;
+  const leans = a || b ? ` a=${plain(a)} b=${plain(b)}` : "";
   const laid =
     seed === null
-      ? `; part x=${plain(dx)} y=${plain(dy)} z=${plain(dz)} tilt=${plain(tilt)} size=${plain(size)}`
+      ? `; part x=${plain(dx)} y=${plain(dy)} z=${plain(dz)}${leans} tilt=${plain(tilt)} size=${plain(size)}`
       : `; part seed=${seed}`;
   const piece = seen?.piece ? [`; piece ${seen.piece}`] : [];
   return `${[laid, ...piece, ...lines].join("\n")}\n`;
@@ -183,18 +185,19 @@ export function createPractice(store: Store, core: () => ProgramCore | null): Pr
       const text = reader ? await readText(file, reader) : "";
       if (typeof text !== "string") return set({ refused: { field: "", text: "", line: 0, message: text, left: 0 } });
       const laid: Record<string, string | undefined> = LAID.exec(text)?.groups ?? {};
-      const { seed, x, y, z, tilt, size } = laid;
+      const { seed, x, y, z, a, b, tilt, size } = laid;
       if (seed && Number(seed) > LAST_SEED) {
         const message = { key: "document-whole-range", args: { path: "seed", value: seed, min: 0, max: LAST_SEED } };
         return set({ refused: { field: "", text: seed, line: 1, message, left: 0 } });
       }
       const number = (value: string | undefined): number => parseNumber(value ?? "") ?? 0;
       const part = {
-        ...AS_SET_UP,
         dx: number(x),
         dy: number(y),
         dz: number(z),
         tilt: number(tilt),
+        leanAbscissa: number(a),
+        leanOrdinate: number(b),
         size: number(size),
       };
       const known = PIECE.exec(text)?.groups?.piece;

@@ -11,23 +11,33 @@ import type { PracticeView } from "../wire";
 import { figureText } from "./figures";
 import { createRecord } from "./record";
 
-type Slid = "dx" | "dy" | "dz" | "tilt" | "size";
+type Slid = keyof JogState["part"];
 /** How far each can be set, its step and unit. */
 const SLIDERS: readonly { name: Slid; reach: number; step: number; unit: "mm" | "deg" }[] = [
   { name: "dx", reach: 5, step: 0.01, unit: "mm" },
   { name: "dy", reach: 5, step: 0.01, unit: "mm" },
   { name: "dz", reach: 2, step: 0.01, unit: "mm" },
   { name: "tilt", reach: 5, step: 0.01, unit: "deg" },
+  { name: "leanAbscissa", reach: 5, step: 0.01, unit: "deg" },
+  { name: "leanOrdinate", reach: 5, step: 0.01, unit: "deg" },
   { name: "size", reach: 0.5, step: 0.01, unit: "mm" },
 ];
 const SEEDS = 1_000_000;
+
+/** About an axis of the plane it leans. */
+function labelOf(name: Slid, { seen }: JogState): string {
+  const [abscissa = "X", ordinate = "Y"] = seen?.machine.axes ?? [];
+  if (name === "leanAbscissa") return t("practice-lean", { axis: abscissa });
+  if (name === "leanOrdinate") return t("practice-lean", { axis: ordinate });
+  return t(`error-part-${name}`);
+}
 
 export function createPart(root: HTMLElement, practice: Practice): (state: State) => void {
   const record = createRecord(practice);
   const slider = (jog: JogState, { name, reach, step, unit }: (typeof SLIDERS)[number]): TemplateResult => {
     const value = jog.seed === null ? jog.part[name] : 0;
     const id = `jog-part-${name}`;
-    const words = t(`error-part-${name}`);
+    const words = labelOf(name, jog);
     const lay = (event: Event): void => {
       const wanted = parseNumber((event.target as HTMLInputElement).value);
       if (wanted !== null) practice.lay({ ...jog.part, [name]: Math.max(-reach, Math.min(reach, wanted)) });

@@ -21,8 +21,8 @@ import type {
   ErrorSliders,
   Message,
   OwnMachine,
-  PartSliders,
   Plane,
+  PracticePart,
   PracticePiece,
   PracticeProgram,
   PracticeRefusal,
@@ -239,7 +239,7 @@ export interface ScanState {
 export interface JogState {
   lines: readonly string[]; // what was done
   seed: number | null; // by which chance put the part; none: it lies as `part` says
-  part: PartSliders;
+  part: PracticePart;
   piece: PracticePiece | null; // of the machine to practise on; none: the first
   seen: Practised | null; // what came of the lines; none: nobody asked yet
   setup: Setup | null; // the profile with which it was asked
@@ -369,7 +369,15 @@ export function patched(state: State, ...patches: Patch[]): State {
 }
 
 /** A part as the setup has it. */
-export const AS_SET_UP: PartSliders = NO_ERRORS.part;
+export const AS_SET_UP: PracticePart = {
+  dx: 0,
+  dy: 0,
+  dz: 0,
+  size: 0,
+  tilt: 0,
+  leanAbscissa: 0,
+  leanOrdinate: 0,
+};
 
 /** Step of a trace that stands for its last: everything done, all touches to be seen. */
 export const AT_END = Number.MAX_SAFE_INTEGER;

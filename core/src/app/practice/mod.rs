@@ -7,15 +7,14 @@ mod view;
 pub use program::{PracticeCall, PracticeCallRequest, PracticeProgram, as_mask, as_program, call_text, jog_program};
 pub use view::{
     PracticeActivation, PracticeApproach, PracticeArea, PracticeChoice, PracticeDeviation, PracticeFace, PracticeField,
-    PracticeFigure, PracticeKeys, PracticeMachine, PracticeMask, PracticePoint, PracticeRefusal, PracticeRequest,
-    PracticeShow, PracticeUse, PracticeView, PracticeWord,
+    PracticeFigure, PracticeKeys, PracticeMachine, PracticeMask, PracticePart, PracticePoint, PracticeRefusal,
+    PracticeRequest, PracticeShow, PracticeUse, PracticeView, PracticeWord,
 };
 
 use super::Error;
 use super::ahead::{ahead, hidden};
 use super::changes::Change;
 use super::jog::{act, all, changed, jog_in_mm, note, raised};
-use super::predict::PartSliders;
 use super::record::Record;
 use super::start::{Machine, start};
 use crate::control::Store;
@@ -124,11 +123,13 @@ impl Stands {
     }
 }
 
-/// The part as sliders put it: turned about the applicate.
-fn placed(part: Option<PartSliders>, setup: &Setup) -> Truth {
+/// The part as sliders put it: turned about the axes of the plane.
+fn placed(part: Option<PracticePart>, setup: &Setup) -> Truth {
     let part = part.unwrap_or_default();
-    let [.., applicate] = setup.control.plane.axes();
-    let tilt = Rpy::about(applicate, part.tilt);
+    let axes = setup.control.plane.axes();
+    let about = [part.lean_abscissa, part.lean_ordinate, part.tilt];
+    let turn = |axis| axes.into_iter().zip(about).find(|(own, _)| *own == axis).map_or(0.0, |(_, angle)| angle.0);
+    let tilt = Rpy(std::array::from_fn(turn));
     Truth { seed: 0, shift: [part.dx, part.dy, part.dz], tilt, size: part.size }
 }
 

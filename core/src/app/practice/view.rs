@@ -5,9 +5,9 @@ use crate::app::changes::Change;
 use crate::app::help::HelpSection;
 use crate::app::jog::JogPoint;
 use crate::app::outcome::Raised;
-use crate::app::predict::PartSliders;
 use crate::app::start::Machine;
 use crate::dialect::Dialect;
+use crate::geometry::Degrees;
 use crate::jog::State;
 use crate::jog::chance::Truth;
 use crate::jog::practice::Piece;
@@ -29,11 +29,32 @@ pub struct PracticeRequest {
     pub script: String,
     /// The part lies as chance puts it by this seed; absent: as `part` says.
     pub seed: Option<u32>,
-    /// How the part lies: displacement, size and tilt; absent: as in the setup.
-    pub part: Option<PartSliders>,
+    /// How the part lies; absent: as in the setup.
+    pub part: Option<PracticePart>,
     /// Nobody is to know yet how the part lies: what the next key would do is told as far as the call says it.
     #[serde(default)]
     pub hides: bool,
+}
+
+/// How a part lies, mm and degree.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize)]
+#[serde(default, rename_all = "camelCase")]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct PracticePart {
+    /// Displacement along X of the machine.
+    pub dx: f64,
+    /// Along Y.
+    pub dy: f64,
+    /// Along Z.
+    pub dz: f64,
+    /// Added to every diameter, width and length.
+    pub size: f64,
+    /// Turned about the applicate.
+    pub tilt: Degrees,
+    /// About the abscissa.
+    pub lean_abscissa: Degrees,
+    /// About the ordinate.
+    pub lean_ordinate: Degrees,
 }
 
 /// A face of the part in front of which the probe is put.
