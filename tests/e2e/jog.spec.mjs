@@ -265,6 +265,43 @@ describe("before NC start", () => {
     assert.deepEqual(problems, []);
     await context.close();
   });
+
+  // oracle: hand (the front face is at Y 0, the probe stands 28 mm in front of it; X stays where it is dragged along Z)
+  test("the probe is dragged along an axis, and onto a face", async () => {
+    const { context, page, problems } = await open(chrome.browser, { path: "#jog", serviceWorkers: "block" });
+    await page.locator("[data-mask=set_edge]").click();
+    const stage = page.locator(".jog-stage .stage");
+    await page.locator(".jog-hint:not(:empty)").waitFor();
+    const { x, y, width, height } = await stage.boundingBox();
+    const held = () => stage.locator('[style*="grab"]').count();
+    let ball = null;
+    for (let place = 0; place < 900 && !ball; place++) {
+      const at = [x + ((place % 30) + 0.5) * (width / 30), y + (Math.floor(place / 30) + 0.5) * (height / 30)];
+      await page.mouse.move(...at);
+      if (await held()) ball = at;
+    }
+    assert.ok(ball, "the probe is in sight");
+    const first = await figures(page);
+    await page.mouse.down();
+    await page.mouse.move(ball[0], ball[1] + 30, { steps: 6 });
+    await page.mouse.up();
+    const lower = await figures(page);
+    assert.notDeepEqual(lower, first);
+    assert.deepEqual(lower.slice(0, 2), first.slice(0, 2), "along Z alone");
+    await page.locator(".jog-head").getByRole("button", { name: "Undo" }).click();
+    assert.deepEqual(await figures(page), first);
+    for (let down = 0.6; down < 0.9; down += 0.05) {
+      await page.mouse.move(...ball);
+      await page.mouse.down();
+      await page.mouse.move(x + width / 2, y + height * down, { steps: 8 });
+      await page.mouse.up();
+      if ((await position(page, "Y").textContent()) === "\u221228.0000") break;
+      await page.locator(".jog-head").getByRole("button", { name: "Undo" }).click();
+    }
+    assert.equal(await position(page, "Y").textContent(), "\u221228.0000");
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
 });
 
 describe("every function", () => {

@@ -55,6 +55,8 @@ export const START = "start";
 const CANCELLED = "start reset";
 /** Where it is told that the probe cannot get in front of a face. */
 export const FACE = "face";
+/** mm: a way that is none. */
+const LEAST = 1e-6;
 /** A line that moves one axis by a way. */
 const BY = /^jog ([XYZ])(-?[\d.]+)$/;
 /** What the first lines of a kept script say of the part. */
@@ -142,8 +144,9 @@ export function createPractice(store: Store, core: () => ProgramCore | null): Pr
       const [, before, way] = BY.exec(lines.at(-1) ?? "") ?? [];
       const goesOn = before === axis && !seen?.raised;
       const sum = goesOn ? Number(way) + by : by;
-      const line = `jog ${axis}${plain(sum)}`;
-      carryOut({ lines: [...(goesOn ? lines.slice(0, -1) : lines), line] });
+      const others = goesOn ? lines.slice(0, -1) : lines;
+      const back = goesOn && Math.abs(sum) < LEAST; // it is where it was
+      carryOut({ lines: back ? others : [...others, `jog ${axis}${plain(sum)}`] });
     },
     face(at, normal) {
       const { jog } = store.state;

@@ -4,7 +4,7 @@ import type { SceneData } from "../core/scene";
 import { FACE, type Practice, START } from "../desk/practice";
 import { el, setAttribute, setText, show } from "../dom";
 import type { IconName } from "../icons";
-import type { Preview, ViewName } from "../preview/view";
+import type { Hand, Preview, ViewName } from "../preview/view";
 import type { JogState, State } from "../state/state";
 import { say, t } from "../texts";
 import { type Shown, shownTheme } from "../theme";
@@ -22,17 +22,20 @@ export function createJogStage(root: HTMLElement, stage: Stage, practice: Practi
   let shown: { data: SceneData | null; theme: Shown | null } = { data: null, theme: null };
   let dressed = false;
   let now: JogState | null = null;
-  /** Dragged along an axis in steps of the increment, until something is hit. */
-  const grab = (): ((axis: number, way: number) => void) => {
+  /** Dragged along an axis in steps of the increment, until something is hit, or onto a face. */
+  const grab = (): Hand => {
     let done = 0;
     let hit = false;
-    return (axis, way) => {
-      const step = (now?.step || FINE) / 1000;
-      const by = Math.round((way - done) / step) * step;
-      hit ||= done !== 0 && !!now?.seen?.raised;
-      if (by === 0 || hit) return;
-      done += by;
-      practice.jog("XYZ".charAt(axis), by);
+    return {
+      along(axis, way) {
+        const step = (now?.step || FINE) / 1000;
+        const by = Math.round((way - done) / step) * step;
+        hit ||= done !== 0 && !!now?.seen?.raised;
+        if (by === 0 || hit) return;
+        done += by;
+        practice.jog("XYZ".charAt(axis), by);
+      },
+      onto: ({ at, normal }) => practice.face(at, normal),
     };
   };
   const dress = (preview: Preview): void => {

@@ -31,13 +31,16 @@ export function heldAt({ data, step }: Content, { camera, view }: Seen, x: numbe
   return onSegment(end, top, x, y) <= reach ? ball : null;
 }
 
-/** A drag from there: which axis of the machine it moves along, and how far since it began, mm. */
+/**
+ * A drag from there: which axis of the machine it moves along, how far since it began, mm, and how far beside that axis
+ * the pointer is, CSS pixels.
+ */
 export function pulled(
   from: Vec3,
   { camera, view }: Seen,
   x: number,
   y: number,
-): (x: number, y: number) => { axis: number; way: number } | null {
+): (x: number, y: number) => { axis: number; way: number; beside: number } | null {
   const project = projector(camera, view);
   const here = project(from);
   const along = AXES.map(axis => {
@@ -55,6 +58,9 @@ export function pulled(
       });
       axis = fits.indexOf(Math.max(...fits));
     }
-    return axis === null ? null : { axis, way: ways[axis] ?? 0 };
+    const line = axis === null ? undefined : along[axis];
+    if (axis === null || !line) return null;
+    const beside = Math.abs(line.dx * dy - line.dy * dx) / Math.hypot(line.dx, line.dy);
+    return { axis, way: ways[axis] ?? 0, beside };
   };
 }

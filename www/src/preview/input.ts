@@ -2,6 +2,12 @@
 import { type Command, meantBy } from "../keys";
 import { type Camera, orbit, pan, type ViewName, type Viewport, zoom } from "./camera";
 
+/** What is dragged. */
+export interface Held {
+  move(x: number, y: number): void;
+  drop(): void;
+}
+
 /** What the input works on. */
 export interface Handle {
   camera(): Camera;
@@ -11,7 +17,7 @@ export interface Handle {
   fit(): void;
   pick(x: number, y: number): void;
   /** Takes hold of what is there: a drag then moves it and not the view; null: nothing is. */
-  grab(x: number, y: number): ((x: number, y: number) => void) | null;
+  grab(x: number, y: number): Held | null;
   /** A pointer is there, and nothing is dragged. */
   point(x: number, y: number): void;
   leave(): void;
@@ -29,7 +35,7 @@ export function listen(element: HTMLElement, handle: Handle): () => void {
   const options = { signal: stop.signal };
   const pointers = new Map<number, { x: number; y: number }>();
   let wandered = 0;
-  let held: ((x: number, y: number) => void) | null = null;
+  let held: Held | null = null;
   element.style.touchAction = "none";
   element.addEventListener(
     "pointerdown",
@@ -54,13 +60,14 @@ export function listen(element: HTMLElement, handle: Handle): () => void {
       const now = place(element, event);
       wandered += Math.hypot(now.x - before.x, now.y - before.y);
       const other = [...pointers].find(([id]) => id !== event.pointerId)?.[1];
-      if (held) held(now.x, now.y);
+      if (held) held.move(now.x, now.y);
       else handle.move(other ? pinched(handle, before, now, other) : dragged(handle.camera(), event, before, now));
       pointers.set(event.pointerId, now);
     },
     options,
   );
   const up = (event: PointerEvent) => {
+    if (event.type === "pointerup") held?.drop();
     held = null;
     const last = pointers.size === 1 && pointers.delete(event.pointerId);
     if (last && event.type === "pointerup" && event.button === 0 && wandered < CLICK) {

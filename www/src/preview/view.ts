@@ -23,6 +23,16 @@ export interface Options extends ShowOptions {
   label: string; // what a screen reader says
 }
 
+/** What drags the probe. */
+export interface Hand {
+  /** Along an axis of the machine (0 X …), mm since it was taken hold of. */
+  along(axis: number, way: number): void;
+  /** It is dropped on a face of the part, away from that axis. */
+  onto(face: Face): void;
+}
+
+const BESIDE = 40; // CSS pixels from its axis at which a drag is one onto a face
+
 export interface Preview {
   readonly backend: BackendName;
   readonly refused: Refusal[];
@@ -56,11 +66,8 @@ export interface Preview {
   onPick(callback: (entry: number) => void): void;
   /** A click on the part, before what else is there; null: nobody wants to know. */
   onFace(callback: ((face: Face) => void) | null): void;
-  /**
-   * The probe is taken hold of; what is answered is told how far it is dragged along which axis of the machine (0 X …),
-   * mm since then. null: it cannot be.
-   */
-  onGrab(callback: (() => (axis: number, way: number) => void) | null): void;
+  /** The probe is taken hold of; what is answered is told where it is dragged. null: it cannot be. */
+  onGrab(callback: (() => Hand) | null): void;
   /** The pointer is on the dimension of a parameter, or on none; a click on one. */
   onField(pointed: (parameter: string | null) => void, chosen: (parameter: string) => void): void;
   setColours(colours: Colours): void;
@@ -82,7 +89,7 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
   const show = await createShow(stage, options);
   let picked: (entry: number) => void = () => undefined;
   let faced: ((face: Face) => void) | null = null;
-  let grabbed: (() => (axis: number, way: number) => void) | null = null;
+  let grabbed: (() => Hand) | null = null;
   let pointed: (parameter: string | null) => void = () => undefined;
   let chosen: (parameter: string) => void = () => undefined;
   const { sight } = show;
@@ -100,10 +107,17 @@ export async function createPreview(host: HTMLElement, options: Options): Promis
     grab(x, y) {
       const ball = grabbed && heldAt(show.content, sight, x, y);
       if (!ball || !grabbed) return null;
-      const [way, tell] = [pulled(ball, sight, x, y), grabbed()];
-      return (nowX, nowY) => {
-        const moved = way(nowX, nowY);
-        if (moved) tell(moved.axis, moved.way);
+      const [way, hand] = [pulled(ball, sight, x, y), grabbed()];
+      let onto: Face | null = null;
+      return {
+        move(nowX, nowY) {
+          const moved = way(nowX, nowY);
+          if (!moved) return;
+          const part = moved.beside > BESIDE;
+          onto = part ? faceAt(show.content.data, show.content.step.index, sight, nowX, nowY) : null;
+          hand.along(moved.axis, onto ? 0 : moved.way);
+        },
+        drop: () => void (onto && hand.onto(onto)),
       };
     },
     leave: () => pointed(null),
