@@ -241,13 +241,18 @@ describe("what is kept", () => {
       suits: { sinumerik: "G20" },
       touched: null,
       unfolded: { a: true, b: 1 },
+      practised: ["start", 5],
+      practicePart: { dx: "1", tilt: 2 },
+      practicePiece: "cube",
     };
     const next = stored.merge(read(), bad);
     assert.deepEqual(next.form.values, { _FA: "2" });
     assert.deepEqual([next.form.control, next.form.open, next.form.touched], ["sinumerik", 0, {}]);
     assert.deepEqual([next.program.files, next.desk.pending, next.machine.suits], [{}, [], {}]);
     assert.deepEqual([next.snippet.style, next.panels.unfolded], ["", { a: true }]);
-    assert.deepEqual(next.part.errors.part, { ...state.AS_SET_UP, dy: 2 });
+    assert.deepEqual(next.part.errors.part, { ...read().part.errors.part, dy: 2 });
+    assert.deepEqual(next.jog.part, { ...state.AS_SET_UP, tilt: 2 });
+    assert.deepEqual([next.jog.lines, next.jog.piece], [["start"], null]);
     assert.equal(stored.merge(read(), null).form.open, 0);
   });
 

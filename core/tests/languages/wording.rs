@@ -206,12 +206,18 @@ fn sentences_end_in_a_full_stop_and_labels_do_not() {
     assert!(wrong.is_empty(), "{}:\n{}", wrong.len(), wrong.join("\n"));
 }
 
+/// A text without the word of the manual in Chinese that it quotes, by which a term is found.
+fn unquoted(text: &str) -> String {
+    let Some((before, quoted)) = text.split_once("10/2004 手册中称“") else { return text.to_owned() };
+    before.to_owned() + quoted.split_once('”').map_or("", |(_, behind)| behind)
+}
+
 // oracle: hand (the rules for words: one word for one thing)
 #[test]
 fn no_text_uses_a_word_that_its_language_does_not() {
     let wrong = faults(|language, _, key, text| {
         let (_, unused) = UNUSED.iter().find(|(code, _)| *code == language).filter(|_| !key.ends_with("-words"))?;
-        let (word, instead) = unused.iter().find(|(word, _)| has(text, word))?;
+        let (word, instead) = unused.iter().find(|(word, _)| has(&unquoted(text), word))?;
         Some(format!("“{word}”, better “{instead}”: {}", text.trim()))
     });
     assert!(wrong.is_empty(), "{}:\n{}", wrong.len(), wrong.join("\n"));
