@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { counts, open, shared } from "./browser.mjs";
 import { faults } from "./room.mjs";
-import { focused } from "./start.mjs";
+import { drawn, focused } from "./start.mjs";
 
 const chrome = shared("neither", { before, after });
 
@@ -285,18 +285,23 @@ describe("before NC start", () => {
     await page.mouse.down();
     await page.mouse.move(ball[0], ball[1] + 30, { steps: 6 });
     await page.mouse.up();
+    await drawn(page);
     const lower = await figures(page);
     assert.notDeepEqual(lower, first);
     assert.deepEqual(lower.slice(0, 2), first.slice(0, 2), "along Z alone");
     await page.locator(".jog-head").getByRole("button", { name: "Undo" }).click();
+    await drawn(page);
     assert.deepEqual(await figures(page), first);
     for (let down = 0.6; down < 0.9; down += 0.05) {
       await page.mouse.move(...ball);
+      await drawn(page);
       await page.mouse.down();
       await page.mouse.move(x + width / 2, y + height * down, { steps: 8 });
       await page.mouse.up();
+      await drawn(page);
       if ((await position(page, "Y").textContent()) === "\u221228.0000") break;
       await page.locator(".jog-head").getByRole("button", { name: "Undo" }).click();
+      await drawn(page);
     }
     assert.equal(await position(page, "Y").textContent(), "\u221228.0000");
     assert.deepEqual(problems, []);

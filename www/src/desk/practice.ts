@@ -60,8 +60,12 @@ const LEAST = 1e-6;
 /** A line that moves one axis by a way. */
 const BY = /^jog ([XYZ])(-?[\d.]+)$/;
 /** What the first lines of a kept script say of the part. */
-const LAID =
-  /^; part (seed=(?<seed>\d+)|x=(?<x>\S+) y=(?<y>\S+) z=(?<z>\S+)( a=(?<a>\S+) b=(?<b>\S+))? tilt=(?<tilt>\S+) size=(?<size>\S+))$/m;
+const SHIFT = String.raw`x=(?<x>\S+) y=(?<y>\S+) z=(?<z>\S+)`;
+const LEAN = String.raw`( a=(?<a>\S+) b=(?<b>\S+))?`;
+const LAID = new RegExp(
+  String.raw`^; part (seed=(?<seed>\d+)|${SHIFT}${LEAN} tilt=(?<tilt>\S+) size=(?<size>\S+))$`,
+  "m",
+);
 const PIECE = /^; piece (?<piece>[a-z]+)$/m;
 
 /** The largest number by which chance puts a part. */
