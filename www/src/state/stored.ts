@@ -35,6 +35,10 @@ const all =
   };
 const text = (value: unknown): string | undefined => (typeof value === "string" ? value : undefined);
 const flag = (value: unknown): boolean | undefined => (typeof value === "boolean" ? value : undefined);
+const wholeOrNone = (value: unknown): number | null | undefined =>
+  Number.isInteger(value) || value === null ? (value as number | null) : undefined;
+const lines = (value: unknown): string[] | undefined =>
+  Array.isArray(value) ? value.filter(one => typeof one === "string") : undefined;
 const texts = all(text);
 const orNone = <T>(read: (value: unknown) => Record<string, T> | undefined) =>
   all(value => read(value) ?? ({} as Record<string, T>));
@@ -122,7 +126,7 @@ const FIELDS = {
   strict: field("run", "strict"),
   saved: field("program", "saved", texts),
   sets: field("form", "sets", orNone(orNone(texts))),
-  open: field("form", "open", value => (Number.isInteger(value) || value === null ? (value as number) : undefined)),
+  open: field("form", "open", wholeOrNone),
   around: field("form", "around", around),
   pending: field("desk", "pending", value =>
     Array.isArray(value)
@@ -159,9 +163,7 @@ const FIELDS = {
   tab: field("panels", "tab"),
   changed: field("page", "changed"),
   theme: field("page", "theme"),
-  recent: field("page", "recent", value =>
-    Array.isArray(value) ? value.filter(one => typeof one === "string") : undefined,
-  ),
+  recent: field("page", "recent", lines),
   language: field("page", "language"),
   unfolded: field("panels", "unfolded", all(flag)),
   outline: field("panels", "outline"),
@@ -169,12 +171,8 @@ const FIELDS = {
   errorsShown: field("panels", "errors"),
   sizes: field("panels", "sizes", all(pixels)),
   sheet: field("panels", "sheet", value => SHEETS.find(one => one === value)),
-  practised: field("jog", "lines", value =>
-    Array.isArray(value) ? value.filter(one => typeof one === "string") : undefined,
-  ),
-  practiceSeed: field("jog", "seed", value =>
-    Number.isInteger(value) || value === null ? (value as number) : undefined,
-  ),
+  practised: field("jog", "lines", lines),
+  practiceSeed: field("jog", "seed", wholeOrNone),
   practicePart: field("jog", "part", value => numbers(value, AS_SET_UP)),
   practicePiece: field("jog", "piece", value => PIECES.find(one => one === value)),
   practiceShown: field("jog", "revealed"),
