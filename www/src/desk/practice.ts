@@ -59,9 +59,9 @@ export const FACE = "face";
 const LEAST = 1e-6;
 /** A line that moves one axis by a way. */
 const BY = /^jog ([XYZ])(-?[\d.]+)$/;
-/** What the first lines of a kept script say of the part. */
 const SHIFT = String.raw`x=(?<x>\S+) y=(?<y>\S+) z=(?<z>\S+)`;
 const LEAN = String.raw`( a=(?<a>\S+) b=(?<b>\S+))?`;
+/** What the first lines of a kept script say of the part. */
 const LAID = new RegExp(
   String.raw`^; part (seed=(?<seed>\d+)|${SHIFT}${LEAN} tilt=(?<tilt>\S+) size=(?<size>\S+))$`,
   "m",

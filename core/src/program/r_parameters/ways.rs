@@ -8,9 +8,9 @@ use crate::program::flow::{Called, called, called_here, callers};
 use crate::syntax::fold::NOTHING;
 use crate::syntax::language::{BY_TEXT, MODAL, is_word};
 use crate::syntax::programs::{Programs, Unit};
-use crate::syntax::targets::canonical;
+use crate::syntax::targets::{Targets, canonical};
 use crate::syntax::{Expr, ExprId, Program, Word, WordKind, fold};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 /// What carries out a text, or the whole program anew.
 const COMPUTED: [&str; 3] = ["EXECSTRING", "GOTOS", "ISOCALL"];
@@ -37,9 +37,6 @@ struct Ways<'a> {
     /// Names of variables: a target with such a name is what the variable holds.
     declared: BTreeSet<String>,
 }
-
-/// Blocks of the labels and block numbers of one program, in the order of the text.
-type Places = BTreeMap<String, Vec<usize>>;
 
 impl<'a> Ways<'a> {
     fn of(program: &'a Program, programs: &'a Programs, measures: BTreeSet<u32>) -> Self {
@@ -87,18 +84,12 @@ impl<'a> Ways<'a> {
     }
 
     fn of_unit(&self, unit: &Unit) -> Vec<Span> {
-        let mut places = Places::new();
-        for at in unit.blocks.clone() {
-            let number = self.program.blocks.get(at).and_then(|block| block.number);
-            for name in number.into_iter().chain(self.program.words_at(at).iter().filter_map(Word::label)) {
-                places.entry(canonical(&self.program.name(name))).or_default().push(at);
-            }
-        }
+        let places = Targets::within(self.program, unit.blocks.clone());
         unit.blocks.clone().filter_map(|at| self.of_block(&places, at)).collect()
     }
 
     /// What of a block leads somewhere on a way that is not followed.
-    fn of_block(&self, places: &Places, at: usize) -> Option<Span> {
+    fn of_block(&self, places: &Targets, at: usize) -> Option<Span> {
         let words = self.program.words_at(at);
         let found = (0..words.len()).find(|word| self.computes(words, *word));
         let found = found.or_else(|| self.jump(places, at, words)).or_else(|| self.repetition(places, at, words));
@@ -161,7 +152,7 @@ impl<'a> Ways<'a> {
     }
 
     /// A jump whose target is not known, or that is followed in another direction than the control takes it.
-    fn jump(&self, places: &Places, at: usize, words: &[Word]) -> Option<usize> {
+    fn jump(&self, places: &Targets, at: usize, words: &[Word]) -> Option<usize> {
         let jumps = || words.iter().enumerate().filter_map(|(i, word)| Some((i, word, target(self.program, word)?)));
         let several = jumps().count() > 1;
         let strange = |(_, word, name): &(usize, &Word, Option<String>)| {
@@ -170,8 +161,8 @@ impl<'a> Ways<'a> {
         jumps().find(strange).map(|(i, ..)| i)
     }
 
-    fn is_followed(&self, places: &Places, at: usize, word: &Word, name: &str, several: bool) -> bool {
-        let places = places.get(name).map_or(&[][..], Vec::as_slice);
+    fn is_followed(&self, places: &Targets, at: usize, word: &Word, name: &str, several: bool) -> bool {
+        let places = places.blocks(name);
         let before = places.first().is_some_and(|place| *place <= at);
         let behind = places.last().is_some_and(|place| *place > at);
         let is = |keyword: &str| self.program.is_keyword(word, &[keyword]);
@@ -187,7 +178,7 @@ impl<'a> Ways<'a> {
     }
 
     /// An instruction to repeat a part by its labels, where that has to do with R parameters and calls, or goes away.
-    fn repetition(&self, places: &Places, at: usize, words: &[Word]) -> Option<usize> {
+    fn repetition(&self, places: &Targets, at: usize, words: &[Word]) -> Option<usize> {
         let found = words.iter().position(|word| {
             let labelled = matches!(word.kind, WordKind::Keyword { value: Some(_), .. });
             labelled && self.program.is_keyword(word, &["REPEAT", "REPEATB"])
@@ -200,9 +191,12 @@ impl<'a> Ways<'a> {
             Some(Expr::Number(number, _)) => format!("N{number}"),
             _ => return Some(found),
         };
-        let Some(begins) = places.get(&label).filter(|_| !self.declared.contains(&label)) else { return Some(found) };
+        let begins = places.blocks(&label);
+        if begins.is_empty() || self.declared.contains(&label) {
+            return Some(found);
+        }
         let ends = words.iter().filter_map(Word::called).map(|name| canonical(&self.program.name(name)));
-        let ends = ends.chain(["ENDLABEL".to_owned()]).filter_map(|name| places.get(&name)?.last().copied());
+        let ends = ends.chain(["ENDLABEL".to_owned()]).filter_map(|name| places.blocks(&name).last().copied());
         let first = begins.first().copied().unwrap_or(at).min(at);
         let last = ends.chain(begins.last().copied()).fold(at, usize::max);
         // every block between the first and the last of these labels, which is more than the part
