@@ -13,7 +13,7 @@ const AS_LONG = 8; // ms of arithmetic between them: what the machine itself mak
 /** Each function with its mask, the piece for it, and its lines as far as the last NC start, without it. */
 async function functions(page) {
   const areas = await page.evaluate(() => {
-    const answer = globalThis["bench-program"].practise(
+    const answer = new globalThis["bench-program"].Practice().practise(
       JSON.stringify({ control: "sinumerik", script: "", hides: false }),
     );
     const { areas } = JSON.parse(answer.view());
@@ -37,10 +37,12 @@ async function simulated(page, { piece, lines }) {
     const times = [];
     for (let n = 0; n < 300; n++) {
       const start = performance.now();
-      const answer = core.practise(text);
+      const session = new core.Practice();
+      const answer = session.practise(text);
       answer.view();
       times.push(performance.now() - start);
       answer.free();
+      session.free();
     }
     return times.slice(200).sort((a, b) => a - b);
   }, request);

@@ -14,7 +14,7 @@ pub use form::form;
 pub use program::{
     Answer, Held, Recogniser, Run, alarms, approach, as_mask, as_program, braking, change, commissioning, convert,
     cure, definitions, elsewhere, equip, form_seen, help, machine, machine_check, note, pointed, practice_record,
-    practice_setup, practise, protocol, read, read_back, repeat, scenario, series, series_start, setup, story, terms,
+    practice_setup, protocol, read, read_back, repeat, scenario, series, series_start, setup, story, terms,
     user_programs,
 };
 pub use scan::Scan;

@@ -423,14 +423,29 @@ pub fn as_mask(request: &str) -> Result<String, JsError> {
     Ok(json::answer(request, app::as_mask)?)
 }
 
-/// `PracticeRequest` → `PracticeView`, and what is to be seen since the mask was opened.
-///
-/// # Errors
-/// A request or a setup of the wrong shape, or a control that does not measure in JOG.
+/// Measuring in JOG: a session that goes on.
 #[wasm_bindgen]
-pub fn practise(request: &str) -> Result<Answer, JsError> {
-    let (view, seen) = app::practise(json::question(request)?)?;
-    Ok(Answer { view: json::text(&view), seen: Some(seen) })
+#[derive(Default)]
+pub struct Practice(app::Practice);
+
+#[wasm_bindgen]
+impl Practice {
+    /// A session of which nothing is known yet.
+    #[wasm_bindgen(constructor)]
+    #[must_use]
+    pub fn new() -> Practice {
+        Practice::default()
+    }
+
+    /// `PracticeRequest` → `PracticeView`, and what is to be seen since the mask was opened. The answer is that of a new
+    /// session; lines that begin with those of the last request are carried out from there.
+    ///
+    /// # Errors
+    /// A request or a setup of the wrong shape, or a control that does not measure in JOG.
+    pub fn practise(&mut self, request: &str) -> Result<Answer, JsError> {
+        let (view, seen) = self.0.practise(json::question(request)?)?;
+        Ok(Answer { view: json::text(&view), seen: Some(seen) })
+    }
 }
 
 /// `PracticeRequest` → `RunRecord`: what the session measured; its script is in the file of this name.
@@ -483,7 +498,7 @@ pub fn protocol(request: &str) -> Result<String, JsError> {
 /// `PracticeFace` → `PracticeApproach`.
 ///
 /// # Errors
-/// As of [`practise`].
+/// As of [`Practice::practise`].
 #[wasm_bindgen]
 pub fn approach(request: &str) -> Result<String, JsError> {
     Ok(json::answer(request, app::approach)?)

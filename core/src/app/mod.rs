@@ -101,7 +101,7 @@ pub use older::{OlderCall, OlderLeft, OlderName, OlderParameter, OlderRequest, O
 pub use outcome::{Measured, Outcome, Raised};
 pub use pointed::{PointedRequest, PointedView, pointed};
 pub use practice::{
-    PracticeActivation, PracticeApproach, PracticeArea, PracticeCall, PracticeCallRequest, PracticeChoice,
+    Practice, PracticeActivation, PracticeApproach, PracticeArea, PracticeCall, PracticeCallRequest, PracticeChoice,
     PracticeDeviation, PracticeFace, PracticeField, PracticeFigure, PracticeKeys, PracticeMachine, PracticeMask,
     PracticePart, PracticePoint, PracticeProgram, PracticeRefusal, PracticeRequest, PracticeShow, PracticeUse,
     PracticeView, PracticeWord, approach, as_mask, as_program, call_text, jog_program, practice_record, practice_setup,

@@ -13,7 +13,7 @@ use crate::geometry::{Extent, V3};
 use crate::machine::{Entries, Setup, Step};
 use crate::name::Name;
 use crate::run::outcome::Outcome;
-use crate::workpiece::{Shape, Solid};
+use crate::workpiece::{PartErrors, Shape, Solid};
 use nalgebra::IsometryMatrix3;
 
 /// Length of the normal at a touch: in radii of the ball at least, in sizes of the scene, in sizes of a solid at most.
@@ -130,8 +130,13 @@ impl Scene {
         ways: &Extent,
     ) -> (f64, Extent) {
         let mut own = Vec::new();
+        let mut figure = Figure::default();
+        let mut drawn: Option<&Solid> = None;
         for (place, solid) in part.iter().chain(probes).enumerate() {
-            let figure = solid::figure(solid);
+            if !drawn.is_some_and(|drawn| alike(drawn, solid)) {
+                figure = solid::figure(solid);
+                drawn = Some(solid);
+            }
             let matter = if matches!(solid.shape, Shape::Chuck { .. }) { Matter::Chuck } else { Matter::Part };
             self.add_mesh(&figure.mesh, matter, Some(place), None);
             self.add_mesh(&figure.cut, Matter::Cut, Some(place), None);
@@ -268,8 +273,14 @@ impl Scene {
             return;
         }
         let (vertex, corner) = (self.vertices.len() / 6, self.corners.len());
-        self.vertices.extend(mesh.vertices.iter().flatten().flat_map(|one| one.iter().map(|value| *value as f32)));
-        self.corners.extend(mesh.corners.iter().flatten().map(|corner| vertex as u32 + corner));
+        self.vertices.reserve(6 * mesh.vertices.len());
+        for [at, normal] in &mesh.vertices {
+            self.vertices.extend([at.x, at.y, at.z, normal.x, normal.y, normal.z].map(|value| value as f32));
+        }
+        self.corners.reserve(3 * mesh.corners.len());
+        for corners in &mesh.corners {
+            self.corners.extend(corners.map(|corner| vertex as u32 + corner));
+        }
         let piece = Piece {
             matter,
             corners: [corner, self.corners.len()],
@@ -291,9 +302,18 @@ impl Scene {
             return;
         }
         let first = self.lines.len() / 6;
-        self.lines.extend(lines.iter().flatten().flat_map(|point| point.iter().copied()));
+        self.lines.reserve(6 * lines.len());
+        for [from, to] in lines {
+            self.lines.extend([from.x, from.y, from.z, to.x, to.y, to.z]);
+        }
         self.view.groups.push(LineGroup { kind, lines: [first, self.lines.len() / 6], place, standing, field: None });
     }
+}
+
+/// Whether two solids differ in their places alone: what is drawn of them is in their own frames.
+fn alike(one: &Solid, other: &Solid) -> bool {
+    let PartErrors { shift, tilt, .. } = other.errors;
+    one.shape == other.shape && PartErrors { shift, tilt, ..one.errors } == other.errors
 }
 
 fn place(own: &IsometryMatrix3<f64>) -> Place {

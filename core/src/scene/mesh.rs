@@ -18,8 +18,9 @@ impl Mesh {
     /// Adds a surface through rows of as many vertices. `closed`: the last of each row is a neighbour of its first.
     pub fn sheet(&mut self, rows: &[Vec<Vertex>], closed: bool) {
         let first = self.vertices.len();
-        self.vertices.extend(rows.iter().flatten().copied());
         let count = rows.first().map_or(0, Vec::len);
+        self.corners.reserve(2 * count * rows.len());
+        rows.iter().for_each(|row| self.vertices.extend_from_slice(row));
         for row in 1..rows.len() {
             for column in 0..(if closed { count } else { count.saturating_sub(1) }) {
                 let next = (column + 1) % count;
@@ -48,7 +49,7 @@ impl Mesh {
 
     /// Joins three vertices in the order that faces where their normals point; three in a line are nothing.
     fn face(&mut self, corners: [usize; 3]) {
-        let [[a, na], [b, nb], [c, nc]] = corners.map(|corner| self.vertices[corner]);
+        let [[a, na], [b, nb], [c, nc]] = corners.map(|corner| &self.vertices[corner]);
         let across = (b - a).cross(&(c - a));
         if across == V3::zeros() {
             return;

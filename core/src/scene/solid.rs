@@ -224,15 +224,15 @@ fn bend(feature: &Feature) -> f64 {
 /// Rows of a ball about the origin from its upper to its lower pole.
 pub fn ball(radius: f64, around: usize) -> Vec<Vec<Vertex>> {
     let rows = around / 2;
+    let angles: Vec<(f64, f64)> = (0..around).map(|i| (TAU * i as f64 / around as f64).sin_cos()).collect();
     let row = |row: usize| {
-        let down = TAU * row as f64 / around as f64;
-        let (out, up) = if row.is_multiple_of(rows) { (0.0, down.cos()) } else { down.sin_cos() };
-        let vertex = |column: usize| {
-            let (sine, cosine) = (TAU * column as f64 / around as f64).sin_cos();
+        let (down, up) = angles[row];
+        let out = if row.is_multiple_of(rows) { 0.0 } else { down };
+        let vertex = |(sine, cosine): &(f64, f64)| {
             let normal = V3::new(out * cosine, out * sine, up);
             [normal * radius, normal]
         };
-        (0..around).map(vertex).collect()
+        angles.iter().map(vertex).collect()
     };
     (0..=rows).map(row).collect()
 }

@@ -243,14 +243,14 @@ fn along(axis: V3) -> Rotation3<f64> {
 fn revolved(outline: &[[f64; 2]], axis: V3, at: V3) -> Mesh {
     let own = along(axis);
     let widest = outline.iter().fold(0.0_f64, |most, [r, _]| most.max(*r));
-    let around = solid::turns(widest, CHORD);
+    let count = solid::turns(widest, CHORD);
+    let around: Vec<(f64, f64)> = (0..count).map(|i| (TAU * i as f64 / count as f64).sin_cos()).collect();
     let row = |[r, z]: [f64; 2], [out, up]: [f64; 2]| -> Vec<Vertex> {
-        let vertex = |i: usize| {
-            let (sine, cosine) = (TAU * i as f64 / around as f64).sin_cos();
+        let vertex = |(sine, cosine): &(f64, f64)| {
             let normal = V3::new(out * cosine, out * sine, up);
             [at + own * V3::new(r * cosine, r * sine, z), own * normal]
         };
-        (0..around).map(vertex).collect()
+        around.iter().map(vertex).collect()
     };
     let mut mesh = Mesh::default();
     for (place, ends) in outline.windows(2).enumerate() {

@@ -1,7 +1,7 @@
 //! Every mask on the machine to practise on, as the page opens it: tests/data/jog_practice.json has what is done,
 //! which the tests of the page do by mouse, keys and touch.
 
-use probewright_core::app::{PracticeRequest, as_program, practise};
+use probewright_core::app::{Practice, PracticeRequest, as_program, practise};
 use probewright_core::dialect::Dialect;
 use probewright_core::jog::practice::piece;
 use probewright_core::jog::{FUNCTIONS, State, masks};
@@ -41,4 +41,31 @@ fn every_mask_is_done_on_its_machine() {
         assert_eq!(program.text.is_empty(), centres, "{mask}: {:?}", program.told);
     }
     assert_eq!(all.len(), masks.len());
+}
+
+// oracle: self: what was asked before changes no answer, whether it is a line more, a line less, a line that is
+// refused, another part or another mask
+#[test]
+fn a_session_that_goes_on_answers_as_a_new_one() {
+    let all: BTreeMap<String, Vec<String>> = serde_json::from_str(super::data!("jog_practice.json")).unwrap();
+    let mut session = Practice::default();
+    let mut same = |asked: PracticeRequest| {
+        let [(view, seen), (anew, there)] =
+            [session.practise(asked.clone()), practise(asked.clone())].map(Result::unwrap);
+        assert_eq!(view, anew, "{asked:?}");
+        assert_eq!(seen.setup, there.setup, "{asked:?}");
+        assert_eq!(seen.outcome, there.outcome, "{asked:?}");
+    };
+    for (mask, lines) in &all {
+        for count in 0..=lines.len() {
+            same(asked(mask, &lines[..count]));
+        }
+        let refused = [&lines[..], &["jog Q5".to_owned()], lines].concat();
+        let moved = PracticeRequest { seed: Some(3), ..asked(mask, lines) };
+        for one in [asked(mask, &refused), asked(mask, &lines[..lines.len() - 1]), moved.clone()] {
+            same(one);
+        }
+        same(PracticeRequest { hides: true, ..moved });
+        same(asked(mask, lines));
+    }
 }

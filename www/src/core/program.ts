@@ -239,8 +239,13 @@ function formed(request: FormRequest): Formed {
   return { ...view, scene };
 }
 
+/** The session that goes on: a line more costs that line. */
+let session: wasm.Practice | null = null;
+
 function practised(request: PracticeRequest): Practised {
-  const answer = call("practise", () => wasm.practise(JSON.stringify(request)));
+  session ??= new wasm.Practice();
+  const going = session;
+  const answer = call("practise", () => going.practise(JSON.stringify(request)));
   const view = JSON.parse(answer.view()) as PracticeView;
   const scene = sceneIn(answer, 1);
   answer.free();

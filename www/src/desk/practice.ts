@@ -1,4 +1,4 @@
-// Practising to measure in JOG: what is pressed is a line more of a script, which the core carries out anew each time.
+// Practising to measure in JOG: what is pressed is a line more of a script, which the core carries out.
 // A line that does nothing is told, and leaves everything as it was.
 
 import type { ProgramCore } from "../core/program";

@@ -37,9 +37,61 @@ use crate::scene::Source;
 /// # Errors
 /// A control that does not measure in JOG, or a machine that cannot be.
 pub fn practise(asked: PracticeRequest) -> Result<(PracticeView, Source), Error> {
-    let hides = asked.hides;
-    let (stands, course, refused) = carried_out(asked)?;
-    Ok(course.seen(stands, refused, hides))
+    Practice::default().practise(asked)
+}
+
+/// A session that goes on: what it carried out is kept, so that a line more costs that line and not all before it.
+#[derive(Clone, Debug, Default)]
+pub struct Practice {
+    kept: Option<Kept>,
+}
+
+/// A session as far as it came, without a refusal.
+#[derive(Clone, Debug)]
+struct Kept {
+    /// What was asked for, without lines.
+    asked: PracticeRequest,
+    /// The lines that were carried out.
+    lines: Vec<Line>,
+    course: Course,
+}
+
+impl Practice {
+    /// As [`practise`], and with the same answer whatever was asked before.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn practise(&mut self, asked: PracticeRequest) -> Result<(PracticeView, Source), Error> {
+        let hides = asked.hides;
+        let (course, refused) = self.carried_out(asked)?;
+        Ok(course.seen(refused, hides))
+    }
+
+    /// The session as far as its lines can be carried out, and why not all of them.
+    fn carried_out(&mut self, mut asked: PracticeRequest) -> Result<(Course, Option<PracticeRefusal>), Error> {
+        let script = std::mem::take(&mut asked.script);
+        let (lines, wrong) = legible(&script);
+        asked.hides = false; // changes what is told, not what is done
+        let goes_on = |kept: &Kept| kept.asked == asked && lines.starts_with(&kept.lines);
+        let mut kept = match self.kept.take().filter(goes_on) {
+            Some(kept) => kept,
+            None => Kept { course: Course::of(asked.clone())?, asked, lines: Vec::new() },
+        };
+        let mut refused = wrong.map(|Wrong { line, message, hint }| (line, message, Some(hint)));
+        for line in &lines[kept.lines.len()..] {
+            if let Err(message) = kept.course.carry_out(line) {
+                let hint = help::cure_of(&message, kept.course.session.mask());
+                refused = Some((line.number, message, hint));
+                break;
+            }
+        }
+        let refusal = |(line, message, hint)| PracticeRefusal { left: behind(&script, line), line, message, hint };
+        let course = kept.course.clone();
+        if refused.is_none() {
+            self.kept = Some(Kept { lines, ..kept });
+        }
+        Ok((course, refused.map(refusal)))
+    }
 }
 
 /// How the probe gets in front of a face of the part.
@@ -47,7 +99,7 @@ pub fn practise(asked: PracticeRequest) -> Result<(PracticeView, Source), Error>
 /// # Errors
 /// As of a session.
 pub fn approach(asked: PracticeFace) -> Result<PracticeApproach, Error> {
-    let (_, course, _) = carried_out(asked.practice)?;
+    let (course, _) = Practice::default().carried_out(asked.practice)?;
     let found = approach::to_face(&course.session, Mcs(asked.at), Dir::new(asked.normal));
     Ok(match found {
         Ok(line) => PracticeApproach { line, refused: None },
@@ -84,24 +136,6 @@ fn begun(asked: PracticeRequest) -> Result<(Stands, Truth), Error> {
     let stands = Stands::new(asked.control, asked.setup, asked.piece)?;
     let truth = asked.seed.map_or_else(|| placed(asked.part, &stands.setup), |seed| Truth::by(seed.into()));
     Ok((stands, truth))
-}
-
-/// A session as far as its lines can be carried out, and why not all of them.
-fn carried_out(asked: PracticeRequest) -> Result<(Stands, Course, Option<PracticeRefusal>), Error> {
-    let script = asked.script.clone();
-    let (lines, wrong) = legible(&script);
-    let (mut stands, truth) = begun(asked)?;
-    let mut course = Course::new(&mut stands.setup, truth);
-    let mut refused = wrong.map(|Wrong { line, message, hint }| (line, message, Some(hint)));
-    for line in &lines {
-        if let Err(message) = course.carry_out(line) {
-            let hint = help::cure_of(&message, course.session.mask());
-            refused = Some((line.number, message, hint));
-            break;
-        }
-    }
-    let refusal = |(line, message, hint)| PracticeRefusal { left: behind(&script, line), line, message, hint };
-    Ok((stands, course, refused.map(refusal)))
 }
 
 /// The machine on which is practised.
@@ -145,8 +179,11 @@ fn legible(script: &str) -> (Vec<Line>, Option<Wrong>) {
 }
 
 /// A session on its way.
+#[derive(Clone, Debug)]
 struct Course {
     session: Session,
+    /// What lies on the table of the machine to practise on.
+    piece: Option<Piece>,
     shadow: Shadow,
     truth: Truth,
     /// The machine as it was when the mask was opened, and how many entries the trace had.
@@ -159,16 +196,17 @@ struct Course {
 }
 
 impl Course {
-    /// Puts the part, too.
-    fn new(setup: &mut Setup, truth: Truth) -> Course {
-        let shadow = Shadow::new(setup, truth);
-        truth.put(setup);
-        let session = Session::new(setup);
-        let begun = (setup.clone(), 0);
+    /// Before the first line, with the part as it lies.
+    fn of(asked: PracticeRequest) -> Result<Course, Error> {
+        let (Stands { mut setup, piece }, truth) = begun(asked)?;
+        let shadow = Shadow::new(&setup, truth);
+        truth.put(&mut setup);
+        let session = Session::new(&setup);
+        let begun = (setup, 0);
         let (notes, changes) = (jog_in_mm(&session.sim.control).into_iter().collect(), Vec::new());
-        let mut course = Course { session, shadow, truth, begun, last: 0, notes, changes, deviation: None };
+        let mut course = Course { session, piece, shadow, truth, begun, last: 0, notes, changes, deviation: None };
         course.begin();
-        course
+        Ok(course)
     }
 
     /// What is to be seen begins here: with the tool where it is.
@@ -219,7 +257,7 @@ impl Course {
         Ok(())
     }
 
-    fn seen(self, stands: Stands, refused: Option<PracticeRefusal>, hides: bool) -> (PracticeView, Source) {
+    fn seen(self, refused: Option<PracticeRefusal>, hides: bool) -> (PracticeView, Source) {
         let session = &self.session;
         let (setup, first) = self.begun;
         let view = PracticeView {
@@ -234,7 +272,7 @@ impl Course {
             points: screen::points(session),
             plc: session.plc(),
             machine: screen::machine(session),
-            piece: stands.piece,
+            piece: self.piece,
             ahead: if hides { hidden(session) } else { ahead(session) },
             truth: self.truth,
             deviation: self.deviation.map(|(store, deviation)| screen::told(&session.sim.control, store, deviation)),
