@@ -370,7 +370,7 @@ async function million(page) {
 // A surface scanned with a million points in the page: how long it stands still from the click until the points are
 // drawn, and while the view is turned then. A visit of its own, so that nothing else is drawn.
 async function scanInPage(browser) {
-  const { page, context } = await open(browser, { serviceWorkers: "block" });
+  const { page, context } = await open(browser);
   await page.locator(".tree:not([aria-busy])").waitFor({ state: "attached" });
   await searchTasks(page, "G65 P9969");
   await page.locator('.hits[data-search="G65 P9969"] .hit').first().click();
@@ -489,7 +489,7 @@ async function wire(browser) {
 
 const browser = await launch("as-it-is");
 try {
-  const { page, context } = await open(browser, { serviceWorkers: "block" });
+  const { page, context } = await open(browser);
   await page.locator(".field").first().waitFor();
   await programModule(page);
   row("ms, in Chromium", ["50 %", "95 %", "99 %", "goal", "ratio"]);

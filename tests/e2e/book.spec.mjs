@@ -182,7 +182,7 @@ describe("the handbook", () => {
 
   // oracle: hand
   test("opens from the menu in the page's language, and stays without a network", async () => {
-    const { context, page, problems } = await start(chrome, { locale: "de-DE", folded: true });
+    const { context, page, problems } = await start(chrome, { locale: "de-DE", folded: true, serviceWorkers: "allow" });
     await page.waitForFunction(() => navigator.serviceWorker.controller !== null);
     await openPageMenu(page);
     const [book] = await Promise.all([

@@ -47,9 +47,11 @@ export async function launch(setup = "neither") {
 
 // Opens the page in a fresh profile, at the form of a first visit. `problems` fills with everything that must not
 // happen: errors in the console, uncaught errors, failed answers, requests to other origins. `options` are
-// Playwright's (viewport, colorScheme, …).
+// Playwright's (viewport, colorScheme, …); a test of the page without a network asks for `serviceWorkers: "allow"`: what
+// the worker fetches ahead costs each new profile a second of a processor.
 export async function open(browser, { path = "#measure", ...options } = {}) {
-  const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, locale: "en-GB", ...options });
+  const usual = { viewport: { width: 1280, height: 800 }, locale: "en-GB", serviceWorkers: "block" };
+  const context = await browser.newContext({ ...usual, ...options });
   context.setDefaultTimeout(30_000); // a busy machine with two cores takes a third of it
   context.setDefaultNavigationTimeout(90_000); // of the sources, which are put together while they are loaded
   const page = await context.newPage();

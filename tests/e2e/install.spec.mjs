@@ -49,7 +49,7 @@ describe("the page as a program", () => {
 
   // oracle: Chromium (what it needs to install a page), hand
   test("can be installed, and names what it is and what it opens", async () => {
-    const { context, page } = await start(chrome);
+    const { context, page } = await start(chrome, { serviceWorkers: "allow" });
     await page.waitForFunction(() => navigator.serviceWorker.controller !== null);
     const session = await context.newCDPSession(page);
     const { errors } = await session.send("Page.getAppManifest");

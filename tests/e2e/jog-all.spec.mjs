@@ -162,7 +162,7 @@ describe("every function of measuring in JOG, from the menu to what is written",
   );
   for (const [how, turn, hands, options] of runs)
     test(how, async () => {
-      const asked = { path: "#jog", serviceWorkers: "block", ...options };
+      const asked = { path: "#jog", ...options };
       const { context, page, problems } = await open(chrome.browser, asked);
       await page.locator(`html[lang="${options.locale.slice(0, 2)}"]`).waitFor({ state: "attached" });
       await everything(page, hands(page), { keyboard: hands === keys, turn, turns: ways.length });
@@ -188,7 +188,7 @@ const SWIVELS = {
 describe("align plane on a machine with a swivel table", () => {
   // oracle: manual (B:3880-3906: fields of the activation screen) and hand (the part leans 2 degrees about X)
   test("sets the probe perpendicular to the plane", async () => {
-    const { context, page, problems } = await open(chrome.browser, { path: "#jog", serviceWorkers: "block" });
+    const { context, page, problems } = await open(chrome.browser, { path: "#jog" });
     await page.locator("[data-mask]").first().waitFor();
     const buffer = Buffer.from(JSON.stringify(SWIVELS));
     await page
@@ -223,7 +223,7 @@ describe("align plane on a machine with a swivel table", () => {
 describe("a measurement in JOG and a program", () => {
   // oracle: hand (the mask has X0 = 5 for the left face of the block; the call corrects G54, code 1)
   test("a mask becomes a call, and a call its mask", async () => {
-    const { context, page, problems } = await open(chrome.browser, { path: "#jog", serviceWorkers: "block" });
+    const { context, page, problems } = await open(chrome.browser, { path: "#jog" });
     const hands = pointer("click", (one, x, y) => one.mouse.click(x, y))(page);
     await hands.press(at.step);
     await hands.press(at.function("set_edge"));

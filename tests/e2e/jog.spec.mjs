@@ -46,7 +46,7 @@ const covered = page =>
 describe("an edge", () => {
   // oracle: hand (the left face of the block is at X 0 of the machine, the slider puts it to X 1.5)
   test("is set by mouse, rejected, hit and exported", async () => {
-    const { context, page, problems } = await open(chrome.browser, { path: "", serviceWorkers: "block" });
+    const { context, page, problems } = await open(chrome.browser, { path: "" });
     await page.locator(".start-practice").click();
     await page.locator("[data-mask=set_edge]").click();
     await page.locator("#jog-part-dx ~ .figure").fill("1.5");
@@ -102,7 +102,7 @@ describe("an edge", () => {
 
   // oracle: manual B:2602 (RESET cancels the measurement)
   test("is not measured where RESET comes while the probe is seen to move", async () => {
-    const { context, page, problems } = await open(chrome.browser, { path: "#jog", serviceWorkers: "block" });
+    const { context, page, problems } = await open(chrome.browser, { path: "#jog" });
     await page.locator("[data-mask=set_edge]").click();
     await field(page, "zo").selectOption("G54");
     await step(page, "10000").click();
@@ -123,7 +123,7 @@ describe("an edge", () => {
 
   // oracle: hand
   test("is practised further after a reload of the page", async () => {
-    const { context, page, problems } = await open(chrome.browser, { path: "#jog", serviceWorkers: "block" });
+    const { context, page, problems } = await open(chrome.browser, { path: "#jog" });
     await page.locator("[data-mask=hole_1]").click();
     await field(page, "zo").selectOption("G55");
     await page.locator(".jog-surprise").click();
@@ -140,7 +140,7 @@ describe("an edge", () => {
 
   // oracle: hand
   test("is set by keyboard alone, on a part that chance has put", async () => {
-    const { context, page, problems } = await open(chrome.browser, { path: "#jog", serviceWorkers: "block" });
+    const { context, page, problems } = await open(chrome.browser, { path: "#jog" });
     await page.locator("[data-mask=set_edge]").waitFor();
     await tabTo(page, ".jog-surprise");
     await page.keyboard.press("Enter");
@@ -180,7 +180,7 @@ describe("an edge", () => {
 describe("the masks up to SW 6.2", () => {
   // oracle: manual A:3188-3200: each point is stored by its softkey, three are enough
   test("are chosen beside the axis keys, and a corner is stored point by point", async () => {
-    const { context, page, problems } = await open(chrome.browser, { path: "#jog", serviceWorkers: "block" });
+    const { context, page, problems } = await open(chrome.browser, { path: "#jog" });
     await page.locator("[data-mask=set_edge]").waitFor();
     await page.locator("#jog-version").selectOption("set PW-JOG = 1");
     await page.locator("[data-mask=old_corner]").click();
@@ -221,7 +221,7 @@ describe("before NC start", () => {
   // oracle: hand: the block is from X 0 Y 0 to X 100 Y 80 with its upper face at Z 0; E_MESS_D_M is 50 mm, the ball has
   // a radius of 3 mm
   test("the help is read, a face is clicked, and what would be written is written", async () => {
-    const { context, page, problems } = await open(chrome.browser, { path: "#jog", serviceWorkers: "block" });
+    const { context, page, problems } = await open(chrome.browser, { path: "#jog" });
     await page.locator("[data-mask=set_edge]").click();
     await page.locator(".jog-help summary").click();
     await page.locator(".jog-help li").getByText("in front of the edge").waitFor();
@@ -268,7 +268,7 @@ describe("before NC start", () => {
 
   // oracle: hand (the front face is at Y 0, the probe stands 28 mm in front of it; X stays where it is dragged along Z)
   test("the probe is dragged along an axis, and onto a face", async () => {
-    const { context, page, problems } = await open(chrome.browser, { path: "#jog", serviceWorkers: "block" });
+    const { context, page, problems } = await open(chrome.browser, { path: "#jog" });
     await page.locator("[data-mask=set_edge]").click();
     const stage = page.locator(".jog-stage .stage");
     await page.locator(".jog-hint:not(:empty)").waitFor();
@@ -321,7 +321,6 @@ describe("every function", () => {
         path: "#jog",
         locale,
         viewport: { width, height },
-        serviceWorkers: "block",
       });
       await page.locator("[data-mask]").first().waitFor();
       assert.deepEqual([...(await faults(page)), ...(await small(page))], [], "the functions");
@@ -351,7 +350,7 @@ describe("every function", () => {
 describe("a control without measuring in JOG", () => {
   // oracle: hand (NCT has no such chapter)
   test("offers no practice", async () => {
-    const { context, page } = await open(chrome.browser, { path: "", serviceWorkers: "block" });
+    const { context, page } = await open(chrome.browser, { path: "" });
     await page.locator(".start-practice").waitFor();
     await page.getByRole("button", { name: "NCT", exact: true }).click();
     await page.locator(".start-practice").waitFor({ state: "detached" });

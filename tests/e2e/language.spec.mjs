@@ -104,7 +104,7 @@ describe("language", () => {
 
   // oracle: hand
   test("without a network the other language is there too", async () => {
-    const { context, page } = await start(chrome);
+    const { context, page } = await start(chrome, { serviceWorkers: "allow" });
     await page.evaluate(() => navigator.serviceWorker.ready.then(() => true));
     await page.waitForFunction(() => navigator.serviceWorker.controller !== null);
     await context.setOffline(true);

@@ -76,7 +76,7 @@ export async function large(browser, row, verdict, millions = 1) {
   const file = join(folder, "part.mpf");
   const bytes = await written(file, millions * MILLION);
   const name = `${millions === 1 ? "a million" : `${millions} million`} blocks (${Math.round(bytes / 1e6)} MB)`;
-  const { page, context } = await open(browser, { serviceWorkers: "block" });
+  const { page, context } = await open(browser);
   const memory = await memoryOf(browser);
   const told = (what, value, unit, goal, digits = 1) =>
     row(`${name}, ${what}, ${unit}`, [

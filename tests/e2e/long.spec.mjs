@@ -180,7 +180,7 @@ describe("a long program", () => {
 
   // oracle: hand
   test("is read in a worker that needs no second download of the core", async () => {
-    const { context, page, problems } = await open(chrome.browser, { serviceWorkers: "block" });
+    const { context, page, problems } = await open(chrome.browser);
     await page.waitForLoadState("networkidle"); // what the first visit still fetches does not count
     const fetched = [];
     page.on("request", request => fetched.push(new URL(request.url()).pathname));

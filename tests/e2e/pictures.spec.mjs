@@ -78,7 +78,7 @@ describe("the drawings", () => {
 
   // oracle: hand
   test("have captions that can be read, and follow the focus", async () => {
-    const { context, page, problems } = await open(chrome.browser, { serviceWorkers: "block" });
+    const { context, page, problems } = await open(chrome.browser);
     await page.locator(".picture .caption").first().waitFor();
     const { found, count } = await page.evaluate(unreadable);
     assert.ok(count > 100, `${count} variants`);

@@ -85,7 +85,7 @@ async function pictured(page, { piece, lines }) {
 export async function practising(browser, page, report) {
   const all = await functions(page);
   for (const one of all) report(`JOG ${one.name} simulated`, await simulated(page, one), 95, 2);
-  const visit = await open(browser, { path: "#jog", serviceWorkers: "block", reducedMotion: "reduce" });
+  const visit = await open(browser, { path: "#jog", reducedMotion: "reduce" });
   await visit.page.locator(".jog-stage [data-backend]").waitFor();
   await givesWork(visit.page);
   const machine = [];

@@ -101,7 +101,7 @@ describe("reach", () => {
 
   // oracle: hand
   test("without a network the page opens again, with the work in it", async () => {
-    const { context, page } = await start(chrome);
+    const { context, page } = await start(chrome, { serviceWorkers: "allow" });
     await lengthField(page).fill("26.5");
     await keptWhen(page, state => Object.values(state.values ?? {}).includes("26.5"));
     await page.evaluate(() => navigator.serviceWorker.ready.then(() => true));

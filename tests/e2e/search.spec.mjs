@@ -112,7 +112,7 @@ describe("search", () => {
 
   // oracle: hand
   test("is no part of the first load", async () => {
-    const { context, page } = await open(chrome.browser, { serviceWorkers: "block" });
+    const { context, page } = await open(chrome.browser);
     const fetched = [];
     page.on("request", request => fetched.push(new URL(request.url()).pathname));
     await page.reload();

@@ -22,9 +22,9 @@ export async function start(chrome, { folded = false, ...options } = {}) {
   return opened;
 }
 
-/** The page with its editor and its first form drawn; no service worker comes between. */
+/** The page with its editor and its first form drawn. */
 export async function startWithEditor(chrome, options) {
-  const opened = await open(chrome.browser, { serviceWorkers: "block", ...options });
+  const opened = await open(chrome.browser, options);
   await opened.page.locator(".cm-content").waitFor();
   await opened.page.locator(".field").first().waitFor();
   await unfold(opened.page);

@@ -9,7 +9,7 @@ const chrome = shared("neither", { before, after });
 
 /** A first visit, once all variants are known. */
 async function visit(options = {}) {
-  const opened = await open(chrome.browser, { path: "", serviceWorkers: "block", ...options });
+  const opened = await open(chrome.browser, { path: "", ...options });
   await opened.page.locator(".start .tile").first().waitFor();
   await opened.page.locator(".tree:not([aria-busy])").waitFor({ state: "attached" });
   return opened;

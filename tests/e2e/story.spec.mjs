@@ -7,7 +7,7 @@ import { faults } from "./room.mjs";
 const chrome = shared("neither", { before, after });
 
 async function begin(options = {}) {
-  const opened = await open(chrome.browser, { path: "", serviceWorkers: "block", ...options });
+  const opened = await open(chrome.browser, { path: "", ...options });
   await opened.page.locator(".start-story").click();
   await opened.page.locator(".story").waitFor();
   return opened;
@@ -19,7 +19,7 @@ describe("the worked example", () => {
   // oracle: self (a closed loop: what was corrected is measured as nothing)
   for (const control of ["SINUMERIK", "NCT"])
     test(`ends with a corrected part, ${control}`, async () => {
-      const opened = await open(chrome.browser, { path: "", serviceWorkers: "block" });
+      const opened = await open(chrome.browser, { path: "" });
       const { context, page, problems } = opened;
       await page.getByRole("button", { name: control, exact: true }).click();
       await page.locator(".start-story").click();

@@ -10,7 +10,7 @@ const chrome = shared("neither", { before, after });
 
 /** A first visit, once all variants are known. */
 async function visit(options = {}) {
-  const opened = await open(chrome.browser, { path: "", serviceWorkers: "block", ...options });
+  const opened = await open(chrome.browser, { path: "", ...options });
   const { context, page } = opened;
   await context.grantPermissions(["clipboard-read", "clipboard-write"]);
   await page.locator(".start .tile").first().waitFor();

@@ -2,11 +2,12 @@
 
 use crate::counts::{AGAIN, Tally};
 use crate::tools::{WASM, cargo, command, component, root, run, wasm_target};
-use crate::wasm::{Make, target};
+use crate::wasm::{Make, build_beside, target};
 use crate::{browser, dist, editor, page, serve};
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, bail};
 use std::path::PathBuf;
 use std::process::Command;
+use std::thread::JoinHandle;
 
 /// Options of `cargo xtask test`.
 #[derive(clap::Args)]
@@ -51,7 +52,7 @@ impl Part {
             Part::Fmt | Part::Biome | Part::Doc | Part::Wasm => 1,
             Part::Clippy => 3,
             Part::Native => 2,
-            Part::Page => 2 + if built { 0 } else { dist::STEPS },
+            Part::Page => 3 + if built { 0 } else { 1 + dist::AROUND },
         }
     }
 }
@@ -63,6 +64,10 @@ pub fn test(options: &Options) -> Result<bool> {
     wasm_target()?;
     let runner = runner()?; // now: building the tests of this program may replace its file
     let mut tally = Tally::of(wanted.iter().map(|part| part.steps(options.no_build)).sum());
+    let mut modules = match wanted.contains(&Part::Page) && !options.no_build {
+        true => Some(modules_beside()?),
+        false => None,
+    };
     for part in wanted {
         match part {
             Part::Fmt => formatting(&mut tally)?,
@@ -71,7 +76,7 @@ pub fn test(options: &Options) -> Result<bool> {
             Part::Doc => documentation(&mut tally),
             Part::Native => native(&mut tally),
             Part::Wasm => wasm(&mut tally, &runner)?,
-            Part::Page => in_the_page(&mut tally, options.no_build)?,
+            Part::Page => in_the_page(&mut tally, modules.take())?,
         }
     }
     println!("{}", tally.steps.times());
@@ -155,10 +160,19 @@ fn runner() -> Result<String> {
     Ok(format!("{program} test-runner"))
 }
 
-fn in_the_page(tally: &mut Tally, built: bool) -> Result<()> {
+/// The modules of the page, while the parts before it run.
+fn modules_beside() -> Result<JoinHandle<Result<()>>> {
+    dist::prepare()?;
+    Ok(build_beside())
+}
+
+/// `modules`: under way for a page that is not built yet.
+fn in_the_page(tally: &mut Tally, modules: Option<JoinHandle<Result<()>>>) -> Result<()> {
     let browser = browser::browser()?;
-    if !built {
-        let outcome = dist::build(&mut tally.steps, Make::Small);
+    if let Some(modules) = modules {
+        let rest = || modules.join().unwrap_or_else(|_| bail!("the modules were not built"));
+        let made = tally.steps.run("wasm modules, the rest", rest);
+        let outcome = made.and_then(|()| dist::build_around(&mut tally.steps, Make::Small));
         if !tally.one(outcome) {
             return Ok(());
         }

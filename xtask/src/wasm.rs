@@ -1,9 +1,10 @@
 //! Rust → wasm → modules in `pkg/` that the page imports.
 
 use crate::steps::Steps;
-use crate::tools::{WASM, cargo, command, root, run};
+use crate::tools::{WASM, cargo, command, root, run, step};
 use anyhow::{Result, anyhow};
 use std::path::{Path, PathBuf};
+use std::thread::JoinHandle;
 
 /// How the modules are made.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -74,6 +75,13 @@ pub const STEPS: usize = MODULES.len();
 /// Builds all modules. Needs the wasm target and the npm packages.
 pub fn build(steps: &mut Steps, make: Make) -> Result<()> {
     MODULES.iter().try_for_each(|module| steps.run(&format!("wasm {}", module.folder), || build_module(module, make)))
+}
+
+/// Builds all modules, small, beside what else is done: optimising the core takes one processor ten minutes. Needs what
+/// [`build`] does.
+pub fn build_beside() -> JoinHandle<Result<()>> {
+    let one = |module: &Module| step(&format!("wasm {}, beside", module.folder), || build_module(module, Make::Small));
+    std::thread::spawn(move || MODULES.iter().try_for_each(one))
 }
 
 fn build_module(module: &Module, make: Make) -> Result<()> {
