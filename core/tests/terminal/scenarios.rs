@@ -57,12 +57,17 @@ fn a_case_that_measures_nothing_says_so() {
                 "setup":{{"control":"sinumerik","probe":{{"radius":3,"length":50}}}}}}"#
         )
     };
-    let told = |text: &str| out(&probewright(&["test", &file("sub.scenario.json", scenario(text).as_bytes())]));
+    let junit = file("sub.xml", b"");
+    let told = |text: &str| {
+        out(&probewright(&["test", &file("sub.scenario.json", scenario(text).as_bytes()), "--junit", &junit]))
+    };
     let without = told("G17 G54 G90\\nMEASURE\\nM30\\n");
     assert!(without.starts_with("ok  ") && without.contains("proves no measurement"), "{without}");
     assert!(without.contains("MEASURE (2)") && without.contains("Passed: 1 of 1"), "{without}");
     let empty = told("G17 G54 G90\\nM30\\n");
     assert!(empty.contains("proves no measurement") && !empty.contains("MEASURE"), "{empty}");
+    let report = std::fs::read_to_string(junit).unwrap();
+    assert!(report.contains("<system-out>") && report.contains("proves no measurement"), "{report}");
 }
 
 // oracle: hand: each difference of a case is told once

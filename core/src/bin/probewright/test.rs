@@ -167,25 +167,25 @@ fn junit(all: &[Carried], words: &Words) -> String {
     for carried @ Carried { path, came } in all {
         let suite = quoted(&path.display().to_string());
         let _ = writeln!(text, "  <testsuite name=\"{suite}\" {}>", counted([carried]));
-        let mut case = |id: &str, told: &[String]| {
-            let _ = match told {
-                [] => writeln!(text, "    <testcase classname=\"{suite}\" name=\"{}\"/>", quoted(id)),
-                [first, ..] => writeln!(
-                    text,
-                    "    <testcase classname=\"{suite}\" name=\"{}\"><failure message=\"{}\">{}</failure></testcase>",
-                    quoted(id),
-                    quoted(first),
-                    quoted(&told.join("\n"))
-                ),
+        let mut case = |id: &str, told: &[String], unproven: &[String]| {
+            let inside = match (told, unproven) {
+                ([first, ..], _) => {
+                    format!("<failure message=\"{}\">{}</failure>", quoted(first), quoted(&told.join("\n")))
+                }
+                ([], []) => String::new(),
+                ([], _) => format!("<system-out>{}</system-out>", quoted(&unproven.join("\n"))),
             };
+            let id = quoted(id);
+            let _ = writeln!(text, "    <testcase classname=\"{suite}\" name=\"{id}\">{inside}</testcase>");
         };
+        let texts = |told: &[Message]| told.iter().map(|one| words.text(one)).collect::<Vec<_>>();
         match came {
             Ok(view) => {
-                for CaseView { id, differences, .. } in &view.cases {
-                    case(id, &differences.iter().map(|one| words.text(one)).collect::<Vec<_>>());
+                for CaseView { id, differences, unproven, .. } in &view.cases {
+                    case(id, &texts(differences), &texts(unproven));
                 }
             }
-            Err(why) => case(&suite, std::slice::from_ref(&why.text)),
+            Err(why) => case(&suite, std::slice::from_ref(&why.text), &[]),
         }
         text.push_str("  </testsuite>\n");
     }

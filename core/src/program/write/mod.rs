@@ -276,12 +276,12 @@ fn word(name: &str, value: &str) -> String {
 /// `;_FA: measuring path`, NCT `(D: nominal diameter)`, of the values that are in the call.
 fn comments(source: &Source, said: &[Name], words: Words) -> String {
     let mut text = String::new();
-    for (param, value) in source.values.iter().filter(|(param, _)| said.contains(&param.name)) {
+    for (param, _) in source.values.iter().filter(|(param, _)| said.contains(&param.name)) {
         let label = words(param.name.as_str(), &format!("param-{}", param.label(&source.inputs)));
         if label.is_empty() {
             continue; // a value without a field
         }
-        let line = format!("{}={value}: {label}", param.name);
+        let line = format!("{}: {label}", param.name); // without the value: that of the call may change, the comment stays
         let line: String = line.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
         text.push_str(&(Grammar::of(source.cycle.dialect).commented)(&line));
     }
