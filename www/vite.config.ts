@@ -20,7 +20,7 @@ export default defineConfig({
   base: "./",
   resolve: { alias: { "@pkg": here("../pkg") } },
   // After the first load everything comes from the browser's store: shop networks are closed. A new version waits until
-  // the user wants it (`src/page/update.ts`); only a first visit is served from the store at once.
+  // the user wants it (`src/state/update.ts`); only a first visit is served from the store at once.
   plugins: [
     answers(first),
     words(

@@ -52,44 +52,58 @@ function createForms(context) {
     return { probewright: "open", control, name, text: withEnds(document.getText(), false), line };
   };
 
-  async function take(document, text) {
+  async function take(uri, text) {
+    const document = await vscode.workspace.openTextDocument(uri);
     const before = document.getText();
     const { start, end, text: insert } = difference(before, withEnds(text, document.eol === vscode.EndOfLine.CRLF));
     if (start === end && insert === "") return;
     const edit = new vscode.WorkspaceEdit();
     const range = new vscode.Range(document.positionAt(start), document.positionAt(end));
-    edit.replace(document.uri, range, insert);
+    edit.replace(uri, range, insert);
     await vscode.workspace.applyEdit(edit);
   }
 
-  function create(document, address) {
-    const title = vscode.l10n.t("Form: {0}", basename(document.fileName));
+  function create({ uri, fileName }, address) {
+    const key = uri.toString();
+    const title = vscode.l10n.t("Form: {0}", basename(fileName));
     const options = { enableScripts: true, retainContextWhenHidden: true, localResourceRoots: [] };
     const shown = vscode.window.createWebviewPanel("probewright.form", title, vscode.ViewColumn.Beside, options);
     let line = 1;
     let told; // the text as the form has made it
-    const send = () => shown.webview.postMessage(given(document, line));
+    const send = document => shown.webview.postMessage(given(document, line));
+    // by its address: once it is closed, the document is another when it is opened again
+    const sendNow = async () => {
+      send(await vscode.workspace.openTextDocument(uri));
+    };
+    let last = Promise.resolve();
+    const inTurn = work => {
+      last = last.then(work).catch(problem => {
+        vscode.window.showErrorMessage(String(problem.message ?? problem)); // nothing waits until it is closed
+      });
+      return last;
+    };
     shown.webview.onDidReceiveMessage(async message => {
-      if (message?.probewright === "ready") send();
-      else if (message?.probewright === "program" && typeof message.text === "string") {
-        told = message.text;
-        await take(document, message.text);
-      }
+      if (message?.probewright === "ready") await inTurn(sendNow);
+      else if (message?.probewright === "program" && typeof message.text === "string")
+        await inTurn(() => {
+          told = message.text;
+          return take(uri, message.text);
+        });
     });
-    const watch = vscode.workspace.onDidChangeTextDocument(change => {
-      const ours = withEnds(document.getText(), false) === told; // the form has it already
-      if (change.document === document && change.contentChanges.length > 0 && !ours) send();
+    const watch = vscode.workspace.onDidChangeTextDocument(({ document, contentChanges }) => {
+      if (document.uri.toString() !== key || contentChanges.length === 0) return;
+      if (withEnds(document.getText(), false) !== told) send(document); // else the form has it already
     });
     shown.onDidDispose(() => {
       watch.dispose();
-      open.delete(document.uri.toString());
+      open.delete(key);
     });
     shown.webview.html = panel(address);
     return {
       show(at) {
         line = at;
         shown.reveal(undefined, true);
-        send();
+        return inTurn(sendNow);
       },
     };
   }
@@ -109,7 +123,7 @@ function createForms(context) {
     const key = document.uri.toString();
     const form = open.get(key) ?? create(document, address);
     open.set(key, form);
-    form.show(selection.active.line + 1);
+    await form.show(selection.active.line + 1);
   };
 }
 

@@ -59,6 +59,19 @@ describe("lines that edits change", () => {
     ]);
   });
 
+  // oracle: hand (an LF, a CR LF, and a CR alone end a line, as in the editor)
+  test("are counted at every line break", () => {
+    const text = "a\rb\r\nc\nd\re";
+    const edit = (from, insert, to = from) => plain(changes.changes(text, [{ from, to, insert }])).flat();
+    assert.deepEqual(edit(text.indexOf("e"), "f\r", text.length), [
+      [3, "c", 3, "c", true],
+      [4, "d", 4, "d", true],
+      [5, "e", 5, "f", false],
+      [undefined, undefined, 6, "", false],
+    ]);
+    assert.deepEqual(edit(text.indexOf("b"), "\n"), [], "an LF behind a CR begins no line");
+  });
+
   // oracle: self (lines put together again give the new text)
   test("give the new text, whatever is edited", () => {
     let seed = 7;
@@ -67,17 +80,17 @@ describe("lines that edits change", () => {
       return seed % below;
     };
     for (let run = 0; run < 300; run++) {
-      const text = Array.from({ length: 1 + random(12) }, (_, line) => `L${line}`.repeat(random(3))).join("\n");
+      const line = at => `L${at}`.repeat(random(3)) + ["\n", "\r\n", "\r"][random(3)];
+      const text = Array.from({ length: random(12) }, (_, at) => line(at)).join("") + "L".repeat(random(2));
       const edits = [];
       for (let at = 0; at <= text.length; at += 1 + random(9)) {
         const to = Math.min(text.length, at + random(6));
-        edits.push({ from: at, to, insert: ["", "x", "y\n", "\nz", "\n"][random(5)] });
+        edits.push({ from: at, to, insert: ["", "x", "y\n", "\nz", "\n", "\r", "\ru", "v\r\n", "\nw\r"][random(9)] });
         at = to + 1;
       }
       const after = edits.reduceRight((now, one) => now.slice(0, one.from) + one.insert + now.slice(one.to), text);
       const hunks = changes.changes(text, edits);
-      const now = after.split("\n");
-      const was = text.split("\n");
+      const [was, now] = [text, after].map(one => one.split(/\r\n?|\n/));
       for (const row of hunks.flat()) {
         if (row.before) assert.equal(row.before.text, was[row.before.line - 1]);
         if (row.after) assert.equal(row.after.text, now[row.after.line - 1], JSON.stringify({ text, edits }));

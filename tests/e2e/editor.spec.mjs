@@ -2,7 +2,7 @@
 // and the page in the frame of a form.
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
-import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { createServer, request } from "node:http";
 import { createRequire, Module } from "node:module";
 import { tmpdir } from "node:os";
@@ -67,16 +67,33 @@ describe("what the extension serves", () => {
 // An editor that remembers what the extension does with it.
 function fakeEditor(text) {
   const done = { commands: {}, edits: [], sent: [], clients: [], errors: [] };
-  const lines = () => document.text.split("\n");
-  const document = {
-    text,
-    fileName: "/parts/a.mpf",
-    languageId: "sinumerik",
-    eol: 2,
-    uri: { toString: () => "file:///parts/a.mpf" },
-    getText: () => document.text,
-    positionAt: offset => offset,
-    lines,
+  const opened = text => {
+    const document = {
+      text,
+      fileName: "/parts/a.mpf",
+      languageId: "sinumerik",
+      eol: 2,
+      uri: { toString: () => "file:///parts/a.mpf" },
+      getText: () => document.text,
+      positionAt: offset => offset,
+    };
+    return document;
+  };
+  const document = opened(text);
+  let now = document;
+  const window = {
+    activeTextEditor: { document, selection: { active: { line: 1 } } },
+    createWebviewPanel: () => shown,
+    showErrorMessage: message => {
+      done.errors.push(message);
+      return new Promise(() => {}); // it stays open
+    },
+  };
+  /** Closes the document; the one that is opened in its place. */
+  const reopen = text => {
+    now = opened(text);
+    window.activeTextEditor.document = now;
+    return now;
   };
   class LanguageClient {
     constructor(...all) {
@@ -94,7 +111,10 @@ function fakeEditor(text) {
     onDidReceiveMessage: hear => {
       done.hear = hear;
     },
-    postMessage: message => done.sent.push(message),
+    postMessage: message => {
+      done.sent.push(message);
+      return new Promise(() => {}); // a panel that is still loading
+    },
   };
   const shown = { webview, onDidDispose: () => {}, reveal: () => {} };
   const vscode = {
@@ -110,16 +130,14 @@ function fakeEditor(text) {
     l10n: { t: (key, ...all) => [key, ...all].join(" ") },
     env: { asExternalUri: async uri => uri },
     commands: { registerCommand: (name, run) => Object.assign(done.commands, { [name]: run }) },
-    window: {
-      activeTextEditor: { document, selection: { active: { line: 1 } } },
-      createWebviewPanel: () => shown,
-      showErrorMessage: message => done.errors.push(message),
-    },
+    window,
     workspace: {
+      openTextDocument: async () => now,
       applyEdit: async edit => {
         done.edits.push(edit);
-        document.text = document.text.slice(0, edit.range.start) + edit.insert + document.text.slice(edit.range.end);
-        done.changed?.({ document, contentChanges: [edit] });
+        await Promise.resolve();
+        now.text = now.text.slice(0, edit.range.start) + edit.insert + now.text.slice(edit.range.end);
+        done.changed?.({ document: now, contentChanges: [edit] });
       },
       getConfiguration: () => ({
         get: (_name, fallback) => fallback,
@@ -134,7 +152,14 @@ function fakeEditor(text) {
       },
     },
   };
-  return { vscode, done, document, shown, modules: { vscode, "vscode-languageclient/node": { LanguageClient } } };
+  return {
+    vscode,
+    done,
+    document,
+    reopen,
+    shown,
+    modules: { vscode, "vscode-languageclient/node": { LanguageClient } },
+  };
 }
 
 // The extension with these modules in the place of the editor's.
@@ -148,6 +173,21 @@ function extension(modules) {
   } finally {
     Module._load = before;
   }
+}
+
+/** The extension with a page in its folder, and its form for the document; `{ close }`. */
+async function withForm({ done, modules }) {
+  const root = mkdtempSync(join(tmpdir(), "probewright-"));
+  const context = { subscriptions: [], extensionPath: root };
+  const close = () => {
+    for (const one of context.subscriptions) one?.dispose?.();
+    rmSync(root, { recursive: true, force: true });
+  };
+  mkdirSync(join(root, "page"));
+  writeFileSync(join(root, "page", "index.html"), "");
+  await extension(modules).activate(context);
+  await done.commands["probewright.form"]();
+  return { close };
 }
 
 describe("the extension", () => {
@@ -172,7 +212,7 @@ describe("the extension", () => {
       await extension(modules).activate(context);
       await done.commands["probewright.form"]();
       assert.deepEqual(done.errors, ["The page of Probewright is not part of this extension."]);
-      own("node:fs").mkdirSync(join(root, "page"));
+      mkdirSync(join(root, "page"));
       writeFileSync(join(root, "page", "index.html"), "");
       await done.commands["probewright.form"]();
       assert.match(shown.webview.html, /<iframe src="http:\/\/127\.0\.0\.1:\d+\/[0-9a-f]{32}\/#framed"/);
@@ -194,6 +234,66 @@ describe("the extension", () => {
     } finally {
       for (const one of context.subscriptions) one?.dispose?.();
       rmSync(root, { recursive: true, force: true });
+    }
+  });
+
+  // oracle: hand
+  test("writes changes that come at once after each other", async () => {
+    const editor = fakeEditor("_MVAR=1\r\nCYCLE977\r\n");
+    const { done, document } = editor;
+    const { close } = await withForm(editor);
+    try {
+      done.sent.length = 0;
+      const typed = ["4", "41", "413"].map(value => `_MVAR=1 _SETVAL=${value}\nCYCLE977\n`);
+      await Promise.all(typed.map(text => done.hear({ probewright: "program", text })));
+      assert.equal(document.text, "_MVAR=1 _SETVAL=413\r\nCYCLE977\r\n");
+      assert.deepEqual(
+        done.edits.map(({ insert }) => insert),
+        [" _SETVAL=4", "1", "3"],
+      );
+      assert.deepEqual(done.sent, [], "the form has them already");
+    } finally {
+      close();
+    }
+  });
+
+  // oracle: hand
+  test("goes on with the document that is opened after it was closed", async () => {
+    const editor = fakeEditor("CYCLE977\r\n");
+    const { done, document } = editor;
+    const { close } = await withForm(editor);
+    try {
+      const other = editor.reopen("N10 G17\r\nCYCLE977\r\n");
+      await done.commands["probewright.form"]();
+      assert.equal(done.sent.at(-1).text, "N10 G17\nCYCLE977\n");
+      await done.hear({ probewright: "program", text: "N10 G17\n_MVAR=1\nCYCLE977\n" });
+      assert.equal(other.text, "N10 G17\r\n_MVAR=1\r\nCYCLE977\r\n");
+      assert.equal(document.text, "CYCLE977\r\n");
+      other.text = "M30\r\n";
+      done.changed({ document: other, contentChanges: [{}] });
+      assert.equal(done.sent.at(-1).text, "M30\n");
+    } finally {
+      close();
+    }
+  });
+
+  // oracle: hand
+  test("tells why a change cannot be written, and writes the next one", async () => {
+    const editor = fakeEditor("CYCLE977\r\n");
+    const { done, document, vscode } = editor;
+    const { close } = await withForm(editor);
+    const { openTextDocument } = vscode.workspace;
+    try {
+      vscode.workspace.openTextDocument = async () => {
+        throw new Error("it is gone");
+      };
+      await done.hear({ probewright: "program", text: "M0\n" });
+      assert.deepEqual(done.errors, ["it is gone"]);
+      vscode.workspace.openTextDocument = openTextDocument;
+      await done.hear({ probewright: "program", text: "M30\n" });
+      assert.equal(document.text, "M30\r\n");
+    } finally {
+      close();
     }
   });
 

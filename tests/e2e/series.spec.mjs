@@ -3,9 +3,52 @@ import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { counts, packages, shared } from "./browser.mjs";
 import { faults } from "./room.mjs";
+import { modules } from "./sources.mjs";
 import { start } from "./start.mjs";
 
 const axe = packages.resolve("axe-core/axe.min.js");
+
+describe("the numbers of the fields", () => {
+  let sources, numbers, fields;
+  before(async () => {
+    sources = await modules();
+    numbers = await sources.load("/src/numbers.ts");
+    fields = await sources.load("/src/views/series-fields.ts");
+  });
+  after(() => sources.close());
+
+  // oracle: hand
+  test("lose zeros behind the decimal point only", () => {
+    const shown = [[100, 0], [-20, 0], [0, 0], [-0.4, 0], [100], [1.5], [10.05, 3], [-1e-9], [1e30], [Number.NaN]];
+    const texts = ["100", "-20", "0", "0", "100", "1.5", "10.05", "0", "1e+30", "–"];
+    assert.deepEqual(
+      shown.map(args => numbers.plain(...args)),
+      texts,
+    );
+  });
+
+  // oracle: hand
+  test("have all their decimals, as they are typed", () => {
+    const all = [0.1, -2.5, 0, 1e-7, -1.25e-9, 5e-324, 0.00000123, 123456.7890123, 1 / 3];
+    const texts = all.map(numbers.exact);
+    assert.deepEqual(texts.slice(0, 5), ["0.1", "-2.5", "0", "0.0000001", "-0.00000000125"]);
+    assert.deepEqual(texts.map(numbers.parseNumber), all);
+  });
+
+  // oracle: hand
+  test("are those of the series until they are typed over", () => {
+    const given = { what: "probe.tip", per: "part", mean: -0.00000025, drift: 0.1234567890123 };
+    const vary = [
+      { ...given, as: "normal", sigma: 1e-7, follows: { "$TC_DP6[1,1]": 1e-8 } },
+      { ...given, as: "uniform", half: 2e-7, follows: {} },
+    ];
+    const series = { runs: 10, seed: 1, mode: "independent", vary };
+    const typed = fields.typedOf(series, []);
+    assert.deepEqual(fields.seriesOf(typed), series);
+    typed.rows[0].spread = "0,02";
+    assert.equal(fields.seriesOf(typed).vary[0].sigma, 0.02);
+  });
+});
 
 describe("a series of parts", () => {
   const chrome = shared("neither", { before, after });

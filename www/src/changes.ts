@@ -1,6 +1,6 @@
 // What edits do to a text, line by line: lines that go and come beside each other, with what stands around them.
 
-import type { Splice } from "./eol";
+import { beginnings, linesOf, type Splice } from "./eol";
 
 /** A line, counted from 1. */
 export interface Line {
@@ -31,13 +31,6 @@ interface Block {
   edits: Splice[];
 }
 
-/** Where each line of a text begins. */
-function beginnings(text: string): number[] {
-  const begins = [0];
-  for (let at = text.indexOf("\n"); at >= 0; at = text.indexOf("\n", at + 1)) begins.push(at + 1);
-  return begins;
-}
-
 /** The line that holds a place; the search goes on from `from`. */
 function lineAt(begins: readonly number[], place: number, from: number): number {
   let line = from;
@@ -45,11 +38,13 @@ function lineAt(begins: readonly number[], place: number, from: number): number 
   return line;
 }
 
-function blocks(edits: readonly Splice[], begins: readonly number[]): Block[] {
+function blocks(text: string, edits: readonly Splice[], begins: readonly number[]): Block[] {
   const all: Block[] = [];
   let line = 0;
   for (const edit of [...edits].sort((a, b) => a.from - b.from || a.to - b.to)) {
-    line = lineAt(begins, edit.from, line);
+    // where an LF comes behind a CR, the line of that CR ends later
+    const joins = text[edit.from - 1] === "\r" && (edit.insert === "" || edit.insert.startsWith("\n"));
+    line = lineAt(begins, joins ? edit.from - 1 : edit.from, line);
     const last = lineAt(begins, edit.to, line);
     const before = all.at(-1);
     if (before && before.last >= line) {
@@ -90,8 +85,6 @@ function beside<T>(one: readonly T[], other: readonly T[]): Pair<T>[] {
   return pairs;
 }
 
-const withoutEnd = (text: string): string => text.replace(/\r$/, "");
-
 /** The lines of a block as rows; a line that goes stands beside one that comes. */
 function rowsOf(before: readonly string[], after: readonly string[], first: number, shift: number): Row[] {
   const rows: Row[] = [];
@@ -118,8 +111,11 @@ function rowsOf(before: readonly string[], after: readonly string[], first: numb
 export function changes(text: string, edits: readonly Splice[]): Hunk[] {
   const begins = beginnings(text);
   const endOf = (line: number): number => begins[line + 1] ?? text.length;
+  // the end of its last line begins no line of its own, but for the last one of the text
+  const upTo = (last: number, piece: string): string[] =>
+    last + 1 < begins.length ? linesOf(piece).slice(0, -1) : linesOf(piece);
   const lines = (from: number, to: number): string[] =>
-    begins.slice(from, to).map((begin, index) => withoutEnd(text.slice(begin, endOf(from + index)).replace(/\n$/, "")));
+    from < to ? upTo(to - 1, text.slice(begins[from], endOf(to - 1))) : [];
   const hunks: Hunk[] = [];
   let hunk: Hunk = [];
   let [done, shift] = [0, 0]; // lines that are shown or passed, and how much later the next one stands afterwards
@@ -129,7 +125,7 @@ export function changes(text: string, edits: readonly Splice[]): Hunk[] {
       after: { line: from + index + 1 + shift, text: one },
       same: true,
     }));
-  for (const { first, last, edits: own } of blocks(edits, begins)) {
+  for (const { first, last, edits: own } of blocks(text, edits, begins)) {
     const [start, end] = [begins[first] as number, endOf(last)];
     let [at, made] = [start, ""];
     for (const edit of own) {
@@ -137,10 +133,7 @@ export function changes(text: string, edits: readonly Splice[]): Hunk[] {
       at = Math.max(at, edit.to);
     }
     made += text.slice(at, end);
-    // the end of its last line is no line of its own, but for the last one of the text
-    const of = (piece: string): string[] =>
-      (piece.endsWith("\n") && last + 1 < begins.length ? piece.slice(0, -1) : piece).split("\n").map(withoutEnd);
-    const [before, after] = [of(text.slice(start, end)), made === "" && last + 1 < begins.length ? [] : of(made)];
+    const [before, after] = [upTo(last, text.slice(start, end)), upTo(last, made)];
     if (hunk.length && first - done > 2 * CONTEXT) {
       hunk.push(...unchanged(done, done + CONTEXT));
       hunks.push(hunk);

@@ -173,14 +173,37 @@ function aroundOf(text: string, edit: Splice): Around {
   return { from, before: text.slice(from, edit.to + 1), after: head + edit.insert + tail };
 }
 
-/** Line breaks that end from `from` on and before `to`: LF, CR LF, or a CR alone. */
-function breaksIn(text: string, from: number, to: number): number {
+/** Line breaks whose last character lies from `from` on and before `to`: LF, CR LF, or a CR alone; what is behind. */
+function eachBreak(text: string, from: number, to: number, take: (behind: number) => void): void {
   const part = text.slice(from, to);
+  let [lf, cr] = [part.indexOf("\n"), part.indexOf("\r")];
+  while (lf >= 0 || cr >= 0)
+    if (cr >= 0 && (lf < 0 || cr < lf)) {
+      if (text.charCodeAt(from + cr + 1) !== 10) take(from + cr + 1);
+      cr = part.indexOf("\r", cr + 1);
+    } else {
+      take(from + lf + 1);
+      lf = part.indexOf("\n", lf + 1);
+    }
+}
+
+function breaksIn(text: string, from: number, to: number): number {
   let count = 0;
-  for (let at = part.indexOf("\n"); at >= 0; at = part.indexOf("\n", at + 1)) count++;
-  for (let at = part.indexOf("\r"); at >= 0; at = part.indexOf("\r", at + 1))
-    if (text.charCodeAt(from + at + 1) !== 10) count++;
+  eachBreak(text, from, to, () => count++);
   return count;
+}
+
+/** Where each line begins. */
+export function beginnings(text: string): number[] {
+  const begins = [0];
+  eachBreak(text, 0, text.length, behind => begins.push(behind));
+  return begins;
+}
+
+/** Without their line breaks. */
+export function linesOf(text: string): string[] {
+  const begins = beginnings(text);
+  return begins.map((begin, line) => text.slice(begin, begins[line + 1]).replace(/[\r\n]+$/, ""));
 }
 
 const FIRST: Counted = { at: 0, breaks: 0 };

@@ -10,8 +10,14 @@ export function parseNumber(text: string): number | null {
 /** At most `digits` decimals, no trailing zeros, never "-0". */
 export function plain(value: number, digits = 6): string {
   if (!Number.isFinite(value)) return "–";
-  const text = value.toFixed(digits).replace(/\.?0+$/, "");
-  return text === "-0" || text === "" ? "0" : text;
+  const text = value.toFixed(digits).replace(/\.0+$|(?<=\.\d+)0+$/, "");
+  return text === "-0" ? "0" : text;
+}
+
+/** With all decimals that it has: below 1e21 `parseNumber` makes the same number of it. */
+export function exact(value: number): string {
+  const [, sign, digit, decimals = "", zeros] = /^(-?)(\d)\.?(\d*)e-(\d+)$/.exec(String(value)) ?? [];
+  return zeros === undefined ? String(value) : `${sign}0.${"0".repeat(Number(zeros) - 1)}${digit}${decimals}`;
 }
 
 /** For columns of figures: always `digits` decimals. */

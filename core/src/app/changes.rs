@@ -153,7 +153,8 @@ fn quantity(name: &str) -> Option<Message> {
     let offset: u32 = name.strip_prefix("SCP").or(name.strip_prefix("ECP"))?.parse().ok()?;
     let text = match offset % 10 {
         3..=5 => length("change-length-offset", offset % 10 - 2),
-        _ => Message::new("change-radius-offset"),
+        6 => Message::new("change-radius-offset"),
+        _ => return None,
     };
     Some(text.number("offset", f64::from(offset / 10)))
 }

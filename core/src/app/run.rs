@@ -120,7 +120,7 @@ pub struct RunAssumed {
 }
 
 /// The call of a program to which something belongs; absent: none.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
 pub struct OfCall {
@@ -130,6 +130,19 @@ pub struct OfCall {
     /// Cycle that is called.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub cycle: Option<&'static str>,
+}
+
+/// How often each call came so far in a run: by this a call of one run is found in another that went another way.
+#[derive(Debug, Default)]
+pub(super) struct Occurrences(BTreeMap<OfCall, usize>);
+
+impl Occurrences {
+    /// A call that comes now, with how often it came before.
+    pub fn next(&mut self, call: OfCall) -> (OfCall, usize) {
+        let count = self.0.entry(call).or_default();
+        *count += 1;
+        (call, *count - 1)
+    }
 }
 
 /// A result of a run.
@@ -423,7 +436,7 @@ fn decisions(outcome: &Outcome) -> Vec<RunDecision> {
 /// Halts with the text that stands on the screen then: that of `MSG` stays until the next one.
 fn waits(outcome: &Outcome) -> Vec<RunWait> {
     let mut last = "";
-    let halt = |text: &str| text.strip_prefix('M').is_some_and(|rest| rest.bytes().all(|one| one.is_ascii_digit()));
+    let halt = |text: &str| ["M0", "M1"].contains(&text);
     let halts = outcome.trace.entries.others().filter_map(|other| match other.step {
         Step::Message { text, waits: true } => {
             let text = if halt(text) && !last.is_empty() { last } else { text.as_str() };

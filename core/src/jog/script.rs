@@ -141,9 +141,9 @@ fn command(text: &str) -> Result<Command, Told> {
         "set" => set(rest),
         _ if text.contains('=') => field(text),
         "mask" if !rest.is_empty() => Ok(Command::Mask(rest.to_owned())),
-        "move" => match rest.strip_prefix("machine") {
-            Some(axes) => Ok(Command::Move(motions(axes)?, Way::Machine)),
-            None => Ok(Command::Move(motions(rest)?, Way::To)),
+        "move" => match rest.split_once(char::is_whitespace) {
+            Some((to, axes)) if to.eq_ignore_ascii_case("machine") => Ok(Command::Move(motions(axes)?, Way::Machine)),
+            _ => Ok(Command::Move(motions(rest)?, Way::To)),
         },
         "jog" => Ok(Command::Move(motions(rest)?, Way::By)),
         "start" if rest.eq_ignore_ascii_case("reset") => Ok(Command::Start(true)),
@@ -208,7 +208,7 @@ fn motions(text: &str) -> Result<Vec<(usize, f64)>, Told> {
 
 /// `P2`.
 fn point(text: &str) -> Result<usize, Told> {
-    let digits = text.trim_start_matches(['P', 'p']);
+    let digits = text.strip_prefix(['P', 'p']).unwrap_or_default();
     let number = digits.parse().ok().filter(|number| (1..=4).contains(number));
     number.ok_or_else(|| (Message::new("jog-script-point").text("text", text), Message::new("jog-script-point-hint")))
 }
@@ -256,6 +256,7 @@ mod tests {
             ("zo = G54", Command::Field("zo".into(), "G54".into())),
             ("MOVE z50 X-20,5", Command::Move(vec![(2, 50.0), (0, -20.5)], Way::To)),
             ("move machine Z300", Command::Move(vec![(2, 300.0)], Way::Machine)),
+            ("MOVE Machine  z5 X1", Command::Move(vec![(2, 5.0), (0, 1.0)], Way::Machine)),
             ("jog X+0.5", Command::Move(vec![(0, 0.5)], Way::By)),
             ("start", Command::Start(false)),
             ("start reset", Command::Start(true)),
@@ -282,7 +283,10 @@ mod tests {
     fn what_cannot_be_read_has_its_line() {
         let lines =
             ["go", "mask", "move", "move X", "move Q1", "jog", "reject P5", "plc P1", "tool", "tool 9", "set A"];
-        for text in lines.into_iter().chain(["start now", "= 5", "a b = 5", "move X1e9", "set =1", "tool T-1", "xé"]) {
+        for text in lines.into_iter().chain([
+            "start now", "= 5", "a b = 5", "move X1e9", "set =1", "tool T-1", "xé", "move machineX5", "move machine",
+            "reject 2", "store PP2",
+        ]) {
             let wrong = read(&format!("; a comment\n\n{text}\n")).unwrap_err();
             assert_eq!(wrong.line, 3, "{text}");
         }

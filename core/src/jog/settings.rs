@@ -3,6 +3,8 @@
 
 use crate::control::{Control, OLDER_JOG, Plane};
 
+/// Which tool probe is used, from 1 (B:14330).
+pub const TOOL_PROBE: &str = "_JM_I[2]";
 /// Attempts at a point until the probe switches, where `_JM_B[1]` is 0 (B:14356-14358).
 const ATTEMPTS: u32 = 5;
 /// Value of `_JM_I[4]` that leaves the zero offset to the machine data, whose reset value is G500 (B:14334).

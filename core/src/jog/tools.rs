@@ -2,7 +2,7 @@
 //! (B:3931-4083, B:14191-14200). Machine coordinates: frames do not count.
 
 use super::evaluate;
-use super::settings;
+use super::settings::{self, TOOL_PROBE};
 use super::touching::alarm;
 use crate::catalogue::sinumerik::state;
 use crate::control::Control;
@@ -47,7 +47,7 @@ impl Probe {
         if matches!(edge.kind, 400..=599 | 710) {
             return Err(61314); // A:15855
         }
-        let number = control.number("_JM_I[2]") as i64;
+        let number = control.number(TOOL_PROBE) as i64;
         if number < 1 || number as f64 > control.number("_CVAL[0]") {
             return Err(61313);
         }

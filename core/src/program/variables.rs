@@ -12,7 +12,7 @@ use crate::check::{Parsed, expression::shown, parse};
 use crate::diagnostic::Span;
 use crate::entry::Arg;
 use crate::message::Message;
-use crate::syntax::fold::{self, NOTHING, names_in, number};
+use crate::syntax::fold::{self, NOTHING, number};
 use crate::syntax::programs::programs;
 use crate::syntax::{Expr, ExprId, Operator, Program, Word, WordKind};
 use std::collections::{BTreeMap, BTreeSet};
@@ -55,9 +55,24 @@ pub fn variables(program: &Program, site: &CallSite, name: &str, typed: &str) ->
         _ => None,
     };
     let mut names = BTreeSet::new();
-    names_in(program, id, &mut names);
-    let found = names.into_iter().filter(|name| !name.ends_with('#'));
+    places_in(program, id, &mut names);
+    let found = names.into_iter().filter(|name| !name.starts_with('#'));
     found.map(|name| variable(program, word, id, name, wanted)).collect()
+}
+
+/// The variables in an expression, an element of an array by its index where that is a number.
+fn places_in(program: &Program, id: ExprId, found: &mut BTreeSet<String>) {
+    match program.expr(id) {
+        Some(Expr::Name { name, index }) => {
+            let place = fold::name(program, *name, index, NOTHING).map(|place| plain_name(&place));
+            found.insert(place.filter(|place| has_numbers(place)).unwrap_or_else(|| program.name(*name)));
+            index.iter().for_each(|id| places_in(program, *id, found));
+        }
+        Some(Expr::Unary(_, inner)) => places_in(program, *inner, found),
+        Some(Expr::Binary(left, _, right)) => [left, right].iter().for_each(|id| places_in(program, **id, found)),
+        Some(Expr::Call(_, list) | Expr::List(list)) => list.iter().for_each(|id| places_in(program, *id, found)),
+        _ => {}
+    }
 }
 
 /// Where the assignments begin that may have given a variable its value where a word reads it: the first byte of each
@@ -150,7 +165,7 @@ fn solved(program: &Program, id: ExprId, name: &str, wanted: f64) -> Option<Stri
     let exact = solve(program, id, name, wanted)?;
     let text = shown(exact + 0.0);
     let rounded = text.parse().ok()?;
-    let worth = number(program, id, &|other| (other == name).then_some(rounded))?;
+    let worth = number(program, id, &|other| (plain_name(other) == name).then_some(rounded))?;
     ((worth - wanted).abs() <= 1e-9 * wanted.abs().max(1.0)).then_some(text)
 }
 
@@ -232,7 +247,7 @@ impl<'a> Reads<'a> {
 
     fn word(&mut self, state: &mut Holds, word: &Word, counts: bool) {
         let (mut names, mut by_reference) = (BTreeSet::new(), false);
-        let mut read = |id: &ExprId| names_in(self.program, *id, &mut names);
+        let mut read = |id: &ExprId| places_in(self.program, *id, &mut names);
         match &word.kind {
             WordKind::Assign { index, value, .. } => index.iter().chain([value]).for_each(&mut read),
             WordKind::Declare { index, value, .. } => index.iter().chain(value).for_each(&mut read),
@@ -371,6 +386,20 @@ mod tests {
             let text = format!("R2=1\n{}", CALL.replace("R2", expression));
             assert_eq!(changed(&text, "60"), text.replace("R2=1\n", &format!("R2={number}\n")), "{expression}");
         }
+    }
+
+    // oracle: hand: an element of an array is a variable of its own, and `R[2]` is R2
+    #[test]
+    fn an_element_is_changed_where_it_is_assigned() {
+        let before = "DEF REAL ARR[3]\nARR[1]=50.02\nARR[2]=7\nR2=8\nR[3]=9\n";
+        for (written, old, new) in
+            [("ARR[1]", "50.02", "61"), ("2*ARR[2]+1", "]=7", "]=30"), ("R[2]", "R2=8", "R2=61"), ("R3", "=9", "=61")]
+        {
+            let text = format!("{before}{}", CALL.replace("R2", written));
+            assert_eq!(changed(&text, "61"), text.replacen(old, new, 1), "{written}");
+        }
+        let open = format!("{before}ARR[R1]=4\n{}", CALL.replace("R2", "ARR[1]"));
+        assert_eq!(changed(&open, "61"), "variable-unclear");
     }
 
     // oracle: hand

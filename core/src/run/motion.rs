@@ -203,6 +203,9 @@ fn turns(run: &Interpreter, distance: f64) -> f64 {
             Units::Metric => 1000.0,
             Units::Inch => 12.0 * INCH,
         };
+    if a_minute == 0.0 {
+        return 0.0; // a spindle that stands does so at the centre too
+    }
     let turns = a_minute / (TAU * distance);
     match run.modal.speed_limit {
         Some(limit) => turns.min(limit),

@@ -60,9 +60,14 @@ fn a_session_that_goes_on_answers_as_a_new_one() {
         for count in 0..=lines.len() {
             same(asked(mask, &lines[..count]));
         }
-        let refused = [&lines[..], &["jog Q5".to_owned()], lines].concat();
+        let and = |more: &[&str]| {
+            let more: Vec<String> = more.iter().map(|one| (*one).to_owned()).collect();
+            asked(mask, &[&lines[..], &more].concat())
+        };
         let moved = PracticeRequest { seed: Some(3), ..asked(mask, lines) };
-        for one in [asked(mask, &refused), asked(mask, &lines[..lines.len() - 1]), moved.clone()] {
+        let keys =
+            [and(&["jog Z1"]), and(&["jog Z2"]), and(&["jog Z2", "reject P4"]), and(&["jog Z3"]), and(&["jog Q5"])];
+        for one in keys.into_iter().chain([asked(mask, &lines[..lines.len() - 1]), moved.clone()]) {
             same(one);
         }
         same(PracticeRequest { hides: true, ..moved });

@@ -164,12 +164,12 @@ export interface ProgramCore extends FormCore {
   asProgram(request: PracticeRequest): PracticeProgram;
   /** The mask that measures what a call measures; null: there is none. */
   asMask(request: PracticeCallRequest): PracticeCall | null;
-  /** Takes the bytes of a file in pieces. */
   /** Lines of the table of a record, whose calls say what they mean. `words`: those of a key. */
   recordTable(
     request: { calls: unknown; first: number; files: RunRecord["files"] },
     words: (key: string) => string,
   ): string;
+  /** Takes the bytes of a file in pieces. */
   recogniser(): { take(bytes: Uint8Array): void; finish(): Recognised };
   /** The setup of a file, with its defaults; or why it is none. */
   setup(text: string): Setup | { why: string };

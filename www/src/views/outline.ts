@@ -64,7 +64,7 @@ function row({ cycle, line, place, index, state, says, open }: Row, count: numbe
   ></div>`; // no gaps: so it is copied
 }
 
-/** `show`: the place of a call that has no form. */
+/** `showPlace`: of a call that has no form. */
 export function createOutline(
   openCall: (index: number) => void,
   showPlace: (offset: number) => void,

@@ -37,7 +37,7 @@ export interface Protocol {
   /** What it came to; null: there is none, and what was simulated counts. */
   readonly view: ProtocolView | null;
   pick(): void;
-  /** `run`: it is about this one, and is over with another. */
+  /** It is about the run that there is, and over with another. */
   draw(state: State, derived: Derived): void;
 }
 

@@ -1,7 +1,7 @@
 // The fields of a series: how many parts, from which seed, and what varies from part to part.
 
 import { html, nothing, type TemplateResult } from "lit-html";
-import { parseNumber, plain } from "../numbers";
+import { exact, parseNumber, plain } from "../numbers";
 import { refusal, say, sayProblem, t } from "../texts";
 import type { Mode, Per, Series, SeriesFollow, SeriesName, SeriesPreset, SeriesStart, Shape, Vary } from "../wire";
 
@@ -37,12 +37,12 @@ export interface Typed {
 const rowOf = (vary: Vary): Row => ({
   what: vary.what,
   as: vary.as ?? "normal",
-  spread: plain((vary.as ?? "normal") === "normal" ? (vary.sigma ?? 0) : (vary.half ?? 0)),
-  mean: plain(vary.mean ?? 0),
-  drift: plain(vary.drift ?? 0),
+  spread: exact((vary.as ?? "normal") === "normal" ? (vary.sigma ?? 0) : (vary.half ?? 0)),
+  mean: exact(vary.mean ?? 0),
+  drift: exact(vary.drift ?? 0),
   per: vary.per ?? "part",
   follows: Object.entries(vary.follows ?? {})
-    .map(([name, factor]) => `${name}=${factor}`)
+    .map(([name, factor]) => `${name}=${exact(factor)}`)
     .join("; "),
   values: vary.values ?? [],
 });
@@ -186,7 +186,7 @@ function followOf(id: string, row: Row, follows: readonly SeriesFollow[], change
   if (!own.length) return nothing;
   const chosen = (event: Event): void => {
     const one = own[Number((event.target as HTMLSelectElement).value)];
-    if (one) row.follows = [row.follows.trim(), `${one.variable}=${one.factor}`].filter(Boolean).join("; ");
+    if (one) row.follows = [row.follows.trim(), `${one.variable}=${exact(one.factor)}`].filter(Boolean).join("; ");
     change();
   };
   const named = ({ target, part, variable, factor }: SeriesFollow): string =>

@@ -2,6 +2,7 @@
 
 use super::is_corrected;
 use crate::control::Control;
+use crate::control::rotary::is_angle;
 use crate::machine::{Entry, Step};
 use crate::message::Message;
 use serde::Serialize;
@@ -124,24 +125,19 @@ fn place(control: &Control, name: &str) -> Option<Place> {
     }
     let (stem, rest) = name.split_once('[').unwrap_or((name, ""));
     let index: Vec<&str> = rest.trim_end_matches(']').split(',').collect();
+    let of_frame = |frame: String, axis: &str, part: &str| {
+        let fine = matches!(part, "FI" | "RT");
+        let target = Message::new("answer-frame").text("frame", frame);
+        let place = Place { target, part: axis.to_owned(), angle: is_angle(name), fine };
+        ["TR", "FI", "RT"].contains(&part).then_some(place)
+    };
     match (stem, &index[..]) {
-        ("$P_UIFR", [frame, axis, part]) => frame_part(control.make().settable_name(frame.parse().ok()?), axis, part),
-        ("$P_SETFR", [axis, part]) => frame_part(stem.to_owned(), axis, part),
-        (_, [frame, axis, part]) => frame_part(format!("{stem}[{frame}]"), axis, part),
+        ("$P_UIFR", [frame, axis, part]) => of_frame(control.make().settable_name(frame.parse().ok()?), axis, part),
+        ("$P_SETFR", [axis, part]) => of_frame(stem.to_owned(), axis, part),
+        (_, [frame, axis, part]) => of_frame(format!("{stem}[{frame}]"), axis, part),
         (_, [tool, edge]) => tool_part(stem.strip_prefix("$TC_")?, tool, edge),
         _ => register(name),
     }
-}
-
-fn frame_part(frame: String, axis: &str, part: &str) -> Option<Place> {
-    let target = Message::new("answer-frame").text("frame", frame);
-    let (angle, fine) = match part {
-        "FI" => (false, true),
-        "TR" => (false, false),
-        "RT" => (true, true),
-        _ => return None,
-    };
-    Some(Place { target, part: axis.to_owned(), angle, fine })
 }
 
 /// Geometry 3 to 6 and wear 12 to 15 of `$TC_DP`; `SCP` and `ECP` with the DL number before one of 3 to 6
@@ -185,4 +181,30 @@ fn probe(entries: &[Entry]) -> Option<Correction> {
         |name: &str| data.iter().any(|stem| name.starts_with(stem)) || crate::control::nct_data::find(name).is_some();
     let mut names = changes(entries).into_iter().filter(|(name, by)| of_probe(name) && by.abs() > SMALLEST);
     names.next().map(|_| Correction { target: Message::new("answer-probe"), parts: Vec::new() })
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+    use crate::control::{Units, delivery};
+    use crate::dialect::Dialect;
+
+    // oracle: manual B:1899-1990: TR and FI of an axis of rotation are angles, which no unit of lengths changes
+    #[test]
+    fn an_axis_of_rotation_is_corrected_in_degrees() {
+        let mut control = delivery(Dialect::Sinumerik);
+        control.basic_units = Units::Inch;
+        let set = |name: &str, after: f64| Entry {
+            line: None,
+            step: Step::Set { name: name.to_owned(), before: 0.0, after },
+            in_use: 0,
+        };
+        let entries = [set("$P_UIFR[1,C,TR]", 2.54), set("$P_UIFR[1,X,TR]", 2.54), set("$P_UIFR[1,Z,RT]", 3.0)];
+        let parts = corrected(&entries, &control).remove(0).parts;
+        let found: Vec<_> = parts.iter().map(|part| (&*part.name, part.by, part.unit)).collect();
+        assert_eq!(found, [("X", 0.1, "inch"), ("C", 2.54, "deg"), ("Z", 3.0, "deg")]);
+        let lengths = corrected_data(&entries, &control);
+        assert_eq!(lengths.iter().map(|one| &*one.variable).collect::<Vec<_>>(), ["$P_UIFR[1,X,TR]"]);
+    }
 }

@@ -1,7 +1,7 @@
 //! What makes a measurement uncertain, and the machine and the part of one run with it.
 
 use crate::entry::{Inputs, ProbeUse};
-use crate::geometry::{Degrees, Rpy};
+use crate::geometry::{Degrees, Rpy, rigid};
 use crate::machine::Setup;
 use crate::series::draw::scatter;
 use crate::series::random::Source;
@@ -111,14 +111,17 @@ impl Draws<'_> {
         setup.probe.length += number("length");
     }
 
-    /// Lobes of which nobody knows where they are: the part is turned about its axis.
+    /// Lobes of which nobody knows where they are: the part is turned about its axis, before it leans.
     fn turned(&self, setup: &mut Setup, run: u32) {
         let angle = 360.0 * self.source("form").uniform(u64::from(run));
         let [_, _, axis] = setup.control.plane.axes();
+        let turn = Rpy::about(axis, Degrees(angle));
         for solid in setup.workpiece.solids.iter_mut().filter(|solid| solid.errors.out_of_round.0 != 0.0) {
-            if solid.errors.tilt == Rpy::default() {
-                solid.errors.tilt = Rpy::about(axis, Degrees(angle));
-            }
+            let tilt = &mut solid.errors.tilt;
+            *tilt = match *tilt == Rpy::default() {
+                true => turn,
+                false => rigid::angles(&(rigid::rotation(*tilt) * rigid::rotation(turn))),
+            };
         }
     }
 }

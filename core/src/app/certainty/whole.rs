@@ -3,7 +3,7 @@
 use super::{Certain, Draws, MOST, Spread, alone, budget, causes::Cause, certain, grown};
 use crate::app::answer::Figure;
 use crate::app::beside::Beside;
-use crate::app::run::{OfCall, RunAnswer, answers};
+use crate::app::run::{Occurrences, OfCall, RunAnswer, answers};
 use crate::app::series::{Prepared, SeriesRequest, prepared};
 use crate::app::start::Machine;
 use crate::app::{Error, ProgramText};
@@ -13,6 +13,7 @@ use crate::machine::Setup;
 use crate::message::Message;
 use crate::run::Outcome;
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 
 /// A program whose measurements are to be judged.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
@@ -161,13 +162,15 @@ impl<'a> Measured<'a> {
         Measured { known, values, finished: 0 }
     }
 
-    /// Takes a run: a call counts where the same one was carried out at this place.
+    /// Takes a run: a call counts where it came as often before.
     fn add(&mut self, setup: &Setup, outcome: &Outcome, growth: f64) {
         self.finished += u32::from(outcome.finished());
-        for ((known, values), now) in self.known.iter().zip(&mut self.values).zip(answers(setup, outcome)) {
-            if known.call != now.call {
-                return;
-            }
+        let mut came = Occurrences::default();
+        let now = answers(setup, outcome).into_iter().map(|one| (came.next(one.call), one));
+        let mut now: BTreeMap<(OfCall, usize), RunAnswer> = now.collect();
+        let mut came = Occurrences::default();
+        for (known, values) in self.known.iter().zip(&mut self.values) {
+            let Some(now) = now.remove(&came.next(known.call)) else { continue };
             let of = |shown: &Figure| now.answer.figures.iter().find(|one| one.name == shown.name);
             for (shown, values) in known.answer.figures.iter().zip(values) {
                 values.extend(of(shown).map(|one| grown(one, one.actual, growth)));

@@ -17,8 +17,8 @@ pub const GEOMETRY_NAMES: &str = "MD20060";
 const AXES: usize = 3;
 /// Signs of the log.
 const SIGNS: &str = "_PROTSYM";
-/// Highest number of a channel.
-const CHANNELS: u32 = 10;
+/// Highest number of a channel that is told from others; a control has ten.
+const CHANNELS: u32 = 99;
 
 /// Where a value stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -46,7 +46,7 @@ pub struct Practice {
     kept: Option<Kept>,
 }
 
-/// A session as far as it came, without a refusal.
+/// A session as far as it came.
 #[derive(Clone, Debug)]
 struct Kept {
     /// What was asked for, without lines.
@@ -54,6 +54,8 @@ struct Kept {
     /// The lines that were carried out.
     lines: Vec<Line>,
     course: Course,
+    /// Before the last of them, which an axis key makes longer.
+    before: Option<Box<Course>>,
 }
 
 impl Practice {
@@ -72,25 +74,47 @@ impl Practice {
         let script = std::mem::take(&mut asked.script);
         let (lines, wrong) = legible(&script);
         asked.hides = false; // changes what is told, not what is done
-        let goes_on = |kept: &Kept| kept.asked == asked && lines.starts_with(&kept.lines);
-        let mut kept = match self.kept.take().filter(goes_on) {
+        let kept = self.kept.take().filter(|kept| kept.asked == asked).and_then(|kept| kept.within(&lines));
+        let mut kept = match kept {
             Some(kept) => kept,
-            None => Kept { course: Course::of(asked.clone())?, asked, lines: Vec::new() },
+            None => Kept { course: Course::of(asked.clone())?, asked, lines: Vec::new(), before: None },
         };
         let mut refused = wrong.map(|Wrong { line, message, hint }| (line, message, Some(hint)));
         for line in &lines[kept.lines.len()..] {
-            if let Err(message) = kept.course.carry_out(line) {
-                let hint = help::cure_of(&message, kept.course.session.mask());
-                refused = Some((line.number, message, hint));
+            if let Err(why) = kept.carry_out(line) {
+                refused = Some(why);
                 break;
             }
         }
         let refusal = |(line, message, hint)| PracticeRefusal { left: behind(&script, line), line, message, hint };
         let course = kept.course.clone();
-        if refused.is_none() {
-            self.kept = Some(Kept { lines, ..kept });
-        }
+        self.kept = Some(kept);
         Ok((course, refused.map(refusal)))
+    }
+}
+
+impl Kept {
+    /// As far as these lines begin with those that were carried out, all or all but the last of them.
+    fn within(self, lines: &[Line]) -> Option<Kept> {
+        if lines.starts_with(&self.lines) {
+            return Some(self);
+        }
+        let (_, first) = self.lines.split_last()?;
+        let (course, lines) = (*self.before.filter(|_| lines.starts_with(first))?, first.to_vec());
+        Some(Kept { asked: self.asked, lines, course, before: None })
+    }
+
+    /// A line more; one that is refused leaves everything as it was.
+    fn carry_out(&mut self, line: &Line) -> Result<(), (u32, Message, Option<Message>)> {
+        let before = self.course.clone();
+        if let Err(message) = self.course.carry_out(line) {
+            let hint = help::cure_of(&message, self.course.session.mask());
+            self.course = before;
+            return Err((line.number, message, hint));
+        }
+        self.lines.push(line.clone());
+        self.before = Some(Box::new(before));
+        Ok(())
     }
 }
 

@@ -7,7 +7,7 @@ use crate::app::jog::JogLine;
 use crate::app::run::{OfCall, RunAnswer};
 use crate::jog::Session;
 use crate::jog::mask::Task;
-use crate::jog::settings::Settings;
+use crate::jog::settings::{Settings, TOOL_PROBE};
 use crate::machine::Setup;
 use crate::machine::calibrated::ProbeInCall;
 use crate::message::Message;
@@ -41,7 +41,7 @@ impl<'a> Recorder<'a> {
         let tool = mask.task.of_tool();
         let used = ProbeInCall { field, mono, measures: !tool };
         let calibrates = matches!(mask.task, Task::Length | Task::Ring | Task::ToolProbe);
-        let number = if tool { 1 } else { field };
+        let number = if tool { session.sim.control.number(TOOL_PROBE) as i64 } else { field };
         let own: Vec<_> = entries.behind(self.since).collect();
         let count = entries.len();
         self.calls.push(RunAnswer {

@@ -6,7 +6,7 @@ use super::{
 };
 use crate::app::answer::{Figure, Limited, Verdict};
 use crate::app::outcome::{Raised, alarms};
-use crate::app::run::{OfCall, RunAnswer, answers};
+use crate::app::run::{Occurrences, OfCall, RunAnswer, answers};
 use crate::control::{Control, Units};
 use crate::entry::{Inputs, names};
 use crate::evaluate::mean;
@@ -17,6 +17,7 @@ use crate::run::Outcome;
 use crate::series::capability::capability;
 use crate::series::decide::Limits;
 use crate::series::spread::{Spread, share_doubt};
+use std::collections::BTreeMap;
 
 /// Most calls of a program whose results are kept: a loop may have any number.
 const CALLS: usize = 1000;
@@ -29,6 +30,8 @@ pub(super) struct Collected {
     runs: usize,
     finished: usize,
     calls: Vec<Call>,
+    /// Where among them a call is, by how often it came before in its run.
+    places: BTreeMap<(OfCall, usize), usize>,
     /// Most calls of a run.
     most: usize,
     alarms: Vec<(Raised, usize)>,
@@ -70,13 +73,16 @@ impl Collected {
     pub(super) fn add(&mut self, setup: &Setup, outcome: &Outcome) -> bool {
         let answers = answers(setup, outcome);
         self.most = self.most.max(answers.len());
-        for (index, answer) in answers.into_iter().take(CALLS).enumerate() {
-            let called = &outcome.called[index];
-            if index == self.calls.len() {
+        let mut came = Occurrences::default();
+        for (answer, called) in answers.into_iter().zip(&outcome.called) {
+            let next = self.calls.len();
+            let place = *self.places.entry(came.next(answer.call)).or_insert(next);
+            if place == next && next < CALLS {
                 self.calls.push(Call::new(&answer, &called.inputs, called.units));
             }
-            self.calls[index].add(self.runs, answer);
-            self.calls[index].remember(self.runs, &outcome.control, called.units);
+            let Some(call) = self.calls.get_mut(place) else { continue };
+            call.add(self.runs, answer);
+            call.remember(self.runs, &outcome.control, called.units);
         }
         let mut raised = alarms(outcome);
         raised.dedup();

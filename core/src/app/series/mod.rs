@@ -9,7 +9,7 @@ mod tests;
 
 use super::answer::Verdict;
 use super::outcome::Raised;
-use super::run::OfCall;
+use super::run::{Occurrences, OfCall};
 use crate::control::Control;
 use crate::machine::series::Mode;
 use crate::message::Message;
@@ -22,6 +22,7 @@ pub use asked::{Prepared, SeriesExample, SeriesName, SeriesRequest, SeriesStart,
 use collect::Collected;
 pub use offered::{SeriesFollow, SeriesPreset};
 use serde::Serialize;
+use std::collections::BTreeMap;
 
 /// How the results of a program spread over many runs.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -268,8 +269,12 @@ pub fn series(prepared: &Prepared, told: &mut dyn FnMut(f64)) -> SeriesView {
             further();
             without.add(setup, outcome)
         });
-        for (call, other) in view.calls.iter_mut().zip(without.view(&setup.series).calls) {
-            call.uncorrected = other.verdicts;
+        let mut came = Occurrences::default();
+        let others = without.view(&setup.series).calls.into_iter().map(|other| (came.next(other.call), other.verdicts));
+        let mut others: BTreeMap<(OfCall, usize), Vec<SeriesShare>> = others.collect();
+        let mut came = Occurrences::default();
+        for call in &mut view.calls {
+            call.uncorrected = others.remove(&came.next(call.call)).unwrap_or_default();
         }
     }
     view

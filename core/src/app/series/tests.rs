@@ -307,3 +307,27 @@ fn only_a_tolerance_has_a_capability() {
     assert_eq!(limits(WIDE), Some([-0.03, 0.03]));
     assert_eq!(limits(&format!("{WIDE} _TDIF=0.02")), Some([-0.03, 0.03]));
 }
+
+// oracle: hand: a call that only some runs come to has the values of those runs, and the one behind it keeps its own
+#[test]
+fn a_call_that_is_left_out_moves_no_other() {
+    let (_, setup) = hole(WIDE, vec![size(0.02, 0.0)], 60, Mode::Production);
+    let call = |set: u32| format!("_MVAR=1 _SETVAL={set} _TNUM=20 _KNUM=2001 _PRNUM=1\nCYCLE977\n");
+    let text = format!(
+        "G17 G54 G90 T9 D1 M6\nG0 X0 Y0\nZ-10\n_TUL=0.5 _TLL=-0.5 _TDIF=0.6 _TSA=1 _FA=2\n{}IF _OVR[4]<50\n{}ENDIF\n{}M30\n",
+        call(50),
+        call(49),
+        call(51)
+    );
+    let program = Rc::new(read(Dialect::Sinumerik, text.as_bytes()));
+    let view = ran(&(program, setup));
+    let lines: Vec<_> =
+        view.calls.iter().map(|one| (one.call.line.unwrap(), one.verdicts.iter().map(|one| one.count).sum())).collect();
+    let between = lines.iter().find(|(line, _)| *line == 9).unwrap().1;
+    assert!((10..50).contains(&between), "{lines:?}");
+    assert!(lines.contains(&(6, 60)) && lines.contains(&(12, 60)), "{lines:?}");
+    for call in &view.calls {
+        let own = call.uncorrected.iter().map(|one| one.count).sum::<usize>();
+        assert!(own > 0 && own <= 60, "{:?}", call.call);
+    }
+}

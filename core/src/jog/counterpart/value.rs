@@ -8,7 +8,7 @@ use crate::entry::factor;
 use crate::jog::calculate;
 use crate::jog::evaluate;
 use crate::jog::mask::Task;
-use crate::jog::settings::Settings;
+use crate::jog::settings::{Settings, TOOL_PROBE};
 use crate::jog::stylus::Stylus;
 
 /// Places of a number that is made from places, mm: the control's own.
@@ -32,7 +32,7 @@ pub fn plain(number: f64) -> String {
 /// Whether the tool in the spindle is wider than the upper side of the tool probe: then its length is measured beside
 /// the middle, rotating (B:4065-4067).
 pub fn wide(control: &Control) -> bool {
-    let probe = control.number("_JM_I[2]") as i64;
+    let probe = control.number(TOOL_PROBE) as i64;
     let upper = control.number(&format!("E_MESS_MT_DL[{}]", probe - 1));
     evaluate::beside(control.active_radius(), 0.0, upper).1
 }
@@ -60,7 +60,7 @@ impl Told<'_> {
                 let (field, mono) = settings.probe;
                 field as f64 + if mono { 100.0 } else { 0.0 } + more
             }
-            Source::ToolProbe => self.control.number("_JM_I[2]"),
+            Source::ToolProbe => self.control.number(TOOL_PROBE),
             Source::ToolAxis => self.tool_axis(),
             Source::Path => settings.path,
             Source::Reach => self.reach(&settings, laid),
@@ -86,7 +86,7 @@ impl Told<'_> {
 
     /// Abscissa or ordinate, as the set-up of the tool probe says (`E_MESS_MT_DIR`).
     fn tool_axis(&self) -> f64 {
-        let probe = self.control.number("_JM_I[2]") as i64;
+        let probe = self.control.number(TOOL_PROBE) as i64;
         let direction = self.control.number(&format!("E_MESS_MT_DIR[{}]", probe - 1));
         if direction.abs() == 2.0 { 2.0 } else { 1.0 }
     }
