@@ -23,7 +23,7 @@ pub const KEYS: &[&str] = &[
     "run-transformed", "run-restart", "run-program-unknown", "run-skipped-dry-run", "run-skipped-program-test",
     "run-skipped-block-search", "run-skipped-simulation", "run-jobshop", "run-deviation", "run-search-missed",
     "run-mode-none", "run-foreign", "run-log-deleted", "run-log-full", "run-screen-empty", "run-dialogue",
-    "run-search-target", "run-setting-absent", "run-result-screen", "run-foreign-log",
+    "run-search-target", "run-setting-absent", "run-result-screen", "run-foreign-log", "run-measuring-input",
 ];
 
 /// Keys of what a run goes on without: named at its end.

@@ -58,10 +58,11 @@ pub fn take(run: &mut Interpreter, address: &Address, path: &mut Path) -> Result
         "RNDM" => run.modal.rounding = number(address)?.abs() * factor,
         "FRC" => path.corner_feed = Some(number(address)?),
         "FRCM" => run.modal.corner_feed = number(address)?,
-        // the last four tune a path or a spline, of which only the programmed points are passed
-        // those of smooth approach are told with it
-        "G" | "M" | "F" | "S" | "D" | "DL" | "SF" | "PW" | "SD" | "PL" => drop(number(address)?),
-        "DISR" | "DISCL" | "FAD" => drop(number(address)?),
+        "F" => run.sim.seconds += number(address)?.max(0.0), // with G4: s, and S revolutions
+        "S" if run.modal.speed != 0.0 => run.sim.seconds += 60.0 * number(address)?.max(0.0) / run.modal.speed.abs(),
+        // the last three tune a path or a spline, of which only the programmed points are passed
+        "G" | "M" | "S" | "D" | "DL" | "SF" | "PW" | "SD" | "PL" => drop(number(address)?),
+        "DISR" | "DISCL" | "FAD" => drop(number(address)?), // those of smooth approach are told with it
         _ if rules.beside.contains(&name) => drop(number(address)?),
         "H" => machine_function(run, address.span, &format!("H{}", Datum::Number(number(address)?).shown())),
         _ if path.stays => {}

@@ -8,7 +8,7 @@ use crate::control::units::INCH;
 use crate::control::{AXES, Transverse, Units};
 use crate::diagnostic::Severity;
 use crate::geometry::{Around, Degrees, Dir, Mcs, Wcs, arc};
-use crate::machine::{Machine, MotionKind, Route, Sim};
+use crate::machine::{MotionKind, Route, Sim};
 use crate::problem::Problem;
 use std::f64::consts::TAU;
 
@@ -264,17 +264,21 @@ fn around(
 }
 
 /// `MEAS=1 G1 X100`, on NCT `G31 X100`: stops at the signal; `$AC_MEA`, `$AA_MW`, `$AA_MM` tell where (B:12790-12856),
-/// on NCT #5061 (N 183). Behind the signal of `MEAW` the stylus is deflected until the end.
+/// on NCT #5061 (N 183). The sign is the edge: with `MEAS=-1` the signal is that of a stylus that comes free. Behind the
+/// signal of `MEAW` the stylus is deflected until the end.
 fn measured(run: &mut Interpreter, path: &Path, measure: Measure, to: [f64; 3], feed: f64) -> Result<(), Halt> {
     let to = machine(run, path.suppress, to);
-    let latched = if run.sim.has_probe() {
-        run.sim.probe_machine(to, feed).map_err(Halt::at(path.span))?
-    } else {
-        run.sim.travel_machine(to, None, MotionKind::Measuring, feed, false).map_err(Halt::at(path.span))?;
-        run.sim.skipped = Some(run.sim.position());
-        None
-    };
     let input = measure.input.abs();
+    let wired = run.sim.measuring_input().filter(|wired| *wired != input && !run.program.grammar().numbered);
+    if let Some(wired) = wired {
+        let told = Problem::new("run-measuring-input", path.span, format!("MEAS={}", measure.input));
+        run.tell(Severity::Warning, &told.number("input", wired as f64));
+    }
+    let latched = match measure.input < 0 {
+        true => run.sim.release_machine(to, feed),
+        false => run.sim.probe_machine(to, feed),
+    };
+    let latched = latched.map_err(Halt::at(path.span))?;
     run.measured.insert(format!("$AC_MEA[{input}]"), f64::from(u8::from(latched.is_some())));
     let Some(position) = latched else { return Ok(()) };
     let control = &run.sim.control;

@@ -1,11 +1,11 @@
 //! Variables of a program: user data, tool and frame data, R parameters, local ones, and what the control tells.
 
 use super::{
-    Datum, Home, Interpreter, Keeper, action::machine_function, defined, evaluate, expression::element, indices,
+    Datum, Home, Interpreter, Keeper, Type, action::machine_function, defined, evaluate, expression::element, indices,
     locals, macro_variables, of_machine, own_parameters, setting, stem, system, tool_memory, unread,
 };
 use crate::catalogue::CYCLES;
-use crate::control::{Control, Frame, Value, arrays, gud, machine_data, rotary::is_angle};
+use crate::control::{Control, Frame, Value, arrays, gud, gud::Kind, machine_data, rotary::is_angle};
 use crate::diagnostic::Span;
 use crate::problem::Problem;
 use crate::syntax::tree::{Expr, ExprId, WordKind};
@@ -159,6 +159,7 @@ fn write_one(run: &mut Interpreter, key: &str, value: &Datum, place: Span) -> Re
     if !key.starts_with('$') && known(key, place).is_err() && own_parameters::make(run, stem(key))? {
         return write_one(run, key, value, place);
     }
+    let value = &as_held(key, value).ok_or_else(|| Problem::new("run-range", place, key))?;
     let Some(stored) = value.value() else { return Err(Problem::new("run-not-a-number", place, key)) };
     if matches!(value, Datum::Text(text) if text.chars().count() > TEXT) {
         return Err(Problem::new("run-text-long", place, key).number("limit", TEXT as f64));
@@ -210,6 +211,21 @@ fn write_variable(run: &mut Interpreter, key: &str, value: &Datum, place: Span) 
     }
     run.note_set(key, before, after);
     Ok(())
+}
+
+/// System variables of type INT that a program writes.
+const WHOLE: [&str; 2] = ["$AC_MARKER", "$AN_MARKER"];
+
+/// A value as the datum of this name holds it: INT rounded, BOOL 0 or 1. None: no INT is so large.
+fn as_held(key: &str, value: &Datum) -> Option<Datum> {
+    let kind = gud::find(stem(key)).map(|gud| gud.kind);
+    let held = match kind {
+        _ if WHOLE.contains(&stem(key)) => Type::Int,
+        Some(Kind::Integer) => Type::Int,
+        Some(Kind::Bool) => Type::Bool,
+        _ => return Some(value.clone()),
+    };
+    if value.number().is_some() { held.converted(value) } else { Some(value.clone()) }
 }
 
 fn holds_text(key: &str) -> bool {

@@ -27,6 +27,8 @@ const MOST: usize = 1000;
 const LARGE: f64 = 1e6;
 /// Clocks: what a program writes into them runs on.
 const CLOCKS: [&str; 2] = ["$AC_TIMER[", "$AN_TIMER["];
+/// How long a block takes beside its motions, s.
+const BLOCK: f64 = 0.001;
 /// How often a run takes a value for another, so that a loop that waits for it is left.
 const MOST_TURNS: usize = 100;
 
@@ -41,6 +43,8 @@ pub struct Asked {
     turned: BTreeMap<String, f64>,
     turns: usize,
     waiting: Option<Waiting>,
+    /// When the program wrote into a clock, by its name, s.
+    clocks: BTreeMap<String, f64>,
 }
 
 /// A loop that would never end with what is assumed: it waits for a value of the machine.
@@ -73,6 +77,9 @@ pub fn read(run: &Interpreter, key: &str, place: Span) -> Option<Datum> {
             if let Some(later) = run.asked.turned.get(key) {
                 return Some(Datum::Number(*later));
             }
+        }
+        if let (true, Value::Number(number)) = (runs, value) {
+            return Some(Datum::Number(number + now(run) - run.asked.clocks.get(key).copied().unwrap_or_default()));
         }
         return Some(Datum::from(value));
     }
@@ -171,8 +178,16 @@ pub fn write(run: &mut Interpreter, key: &str, value: &Datum) -> bool {
     let Some(stored) = value.value().filter(|_| machine_data::of_machine(key) && !too_long) else { return false };
     let name = machine_data::numbered(key).unwrap_or_else(|| key.to_owned());
     run.asked.turned.remove(&name);
+    if CLOCKS.iter().any(|clock| name.starts_with(clock)) {
+        run.asked.clocks.insert(name.clone(), now(run));
+    }
     run.sim.control.data.insert(name, stored);
     true
+}
+
+/// How long the run takes so far, s: its motions and dwells, and a little for each block.
+fn now(run: &Interpreter) -> f64 {
+    run.sim.seconds + run.work as f64 * BLOCK
 }
 
 /// Tells the values that were asked for since, each array once.

@@ -110,7 +110,7 @@ fn a_setup_holds_definitions_and_values() {
 #[test]
 fn values_of_the_machine_are_assumed_and_listed() {
     let text = "FOR R9=1 TO 5\nR1=R1+$A_IN[R9]+$AA_IM[V]\nENDFOR\n$A_DBW[2]=7\nR2=$A_DBW[2]\nR3=$MC_MAX_BLOCKS\n\
-        IF $P_PROG[0]==\"\"\nR4=1\nENDIF\n$AC_TIMER[1]=4\nR5=$AC_TIMER[1]\nM30";
+        IF $P_PROG[0]==\"\"\nR4=1\nENDIF\n$AC_TIMER[1]=4\nR5=ROUND($AC_TIMER[1])\nM30";
     let outcome = go(text);
     assert_eq!(outcome.stop, None);
     assert_eq!([1, 2, 3, 4, 5].map(|i| outcome.control.number(&format!("R{i}"))), [0.0, 7.0, 0.0, 1.0, 4.0]);
@@ -248,4 +248,17 @@ fn a_loop_that_waits_for_nothing_of_the_machine_never_ends() {
         assert_eq!(key(&started(&format!("{text}\nM30\n"), Limits::default(), &[])), Some("run-endless"), "{text}");
     }
     assert_eq!(key(&strict("WHILE $A_IN[10]==0\nENDWHILE\nM30\n")), Some("run-system-variable"));
+}
+
+// oracle: manual (Job planning 03/2006: `$AC_TIMER[n]` counts seconds from what was written; a negative one stands still)
+#[test]
+fn a_clock_runs_while_axes_move_and_wait() {
+    let number = |text: &str, name: &str| clean(text).control.number(name);
+    let read = |text: &str| number(&format!("$AC_TIMER[1]=10\n{text}\nR1=$AC_TIMER[1]"), "R1");
+    for (text, seconds) in [("", 10.0), ("G1 F60 X100", 110.0), ("G4 F5", 15.0), ("S120 M3\nG4 S6", 13.0)] {
+        assert!((read(text) - seconds).abs() < 0.05, "{text}: {}", read(text));
+    }
+    assert_eq!(read("$AC_TIMER[1]=-1\nG4 F5"), -1.0);
+    let passes = number("$AC_TIMER[2]=0\nWHILE $AC_TIMER[2]<2\nR6=R6+1\nG4 F0.1\nENDWHILE", "R6");
+    assert!((18.0..=20.0).contains(&passes), "{passes}");
 }

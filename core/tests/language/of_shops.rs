@@ -1,9 +1,11 @@
 //! What main programs of shops are full of beside motion: files, texts that are blocks, questions to the control, data
 //! of tools, transformations, swivelled planes.
 
-use super::{at, clean, fault, findings, go, messages, near, number};
+use super::{at, clean, fault, findings, go, go_on, messages, near, number, running, setup};
+use probewright_core::geometry::Mcs;
 use probewright_core::machine::Stop;
 use probewright_core::run::Outcome;
+use probewright_core::workpiece::{Shape, Solid, ToolProbe};
 
 fn files(outcome: &Outcome) -> Vec<(&str, Vec<&str>)> {
     outcome.files.iter().map(|(name, lines)| (name, lines.iter().map(String::as_str).collect())).collect()
@@ -162,4 +164,43 @@ fn the_swivel_cycle_turns_the_plane_by_its_angles() {
 #[test]
 fn parts_of_the_programmed_frame_are_put() {
     at("TRANS X1 Y2\nG58 X5\nG59 Y0.5\nG0 X0 Y0", [5.0, 2.5, 0.0]);
+}
+
+// oracle: manual (Job planning: the sign of MEAS is the edge; B:13834-13837: the inputs), hand: a block with its upper
+// face at Z0, a ball of 3 mm
+#[test]
+fn the_edge_and_the_input_of_a_measuring_block_count() {
+    let mut setup = setup();
+    setup.position = Mcs([0.0, 0.0, 300.0]);
+    setup.workpiece.solids.push(running::block());
+    let run = |text: &str| go_on(&setup, &format!("T9 D1 M6\nG0 X0 Y0\nZ20\nF300\n{text}"));
+    let values = |text: &str| {
+        let outcome = run(text);
+        let found = [1, 2, 3].map(|number| outcome.control.number(&format!("R{number}")));
+        (found, outcome.diagnostics.iter().map(|one| one.message.key.to_string()).collect::<Vec<_>>())
+    };
+    let radius = setup.probe.radius;
+    let ask = "R1=$AC_MEA[1] R2=$AA_IW[Z]";
+    assert_eq!(values(&format!("MEAS=1 G1 Z-1\n{ask} R3=$AA_MW[Z]")), ([1.0, radius, radius], vec![]));
+    assert_eq!(values(&format!("MEAS=-1 G1 Z-1\n{ask}")), ([0.0, -1.0, 0.0], vec![]));
+    let away = format!("MEAW=1 G1 Z2\nMEAS=-1 G1 Z30\n{ask} R3=$AA_MW[Z]");
+    let (found, told) = values(&away);
+    assert!(
+        told.is_empty() && (found[1] - radius).abs() < 1e-6 && (found[2] - radius).abs() < 1e-6,
+        "{found:?} {told:?}"
+    );
+    assert_eq!(values("MEAS=2 G1 Z-1").1, ["run-measuring-input"]);
+    assert_eq!(values("_CHBIT[0]=1\nMEAS=2 G1 Z-1").1, [""; 0]);
+}
+
+// oracle: hand: the end of an end mill meets the tool probe, which is at input 2 as delivered (`_CHBIT[1]`)
+#[test]
+fn a_tool_is_measured_by_a_measuring_block() {
+    let mut setup = setup();
+    setup.position = Mcs([0.0, 0.0, 300.0]);
+    let cap = Solid::new(Shape::Block { size: [20.0; 3] }, Mcs([200.0, 0.0, -10.0]));
+    setup.tool_probes.push(ToolProbe::ideal(cap));
+    let outcome = go_on(&setup, "T20 D1 M6\nG0 X200 Y0\nZ20\nMEAS=2 G1 F300 Z-30\nR1=$AC_MEA[2] R2=$AA_MW[Z]\nG0 Z20");
+    assert_eq!((outcome.stop.clone(), &outcome.diagnostics[..]), (None, &[][..]));
+    assert_eq!(["R1", "R2"].map(|name| outcome.control.number(name)), [1.0, -10.0]);
 }

@@ -3,6 +3,24 @@
 use super::{clean, fault, findings, go, messages, near, number};
 use probewright_core::machine::Stop;
 
+// oracle: manual (Job planning 03/2006, 1.9: conversions at an assignment; the types of the user data: B:1758 …)
+#[test]
+fn a_user_datum_keeps_its_type() {
+    for (text, expected) in [
+        ("_KNUM=7/4\nR1=_KNUM", 2.0),
+        ("_OVI[0]=2.5\nR1=_OVI[0]", 3.0),
+        ("_MVAR=R5+0.7\nCASE _MVAR OF 1 GOTOF ONE DEFAULT GOTOF OTHER\nOTHER: M30\nONE: R1=4", 4.0),
+        ("_CBIT[3]=4\nR1=_CBIT[3]", 1.0),
+        ("_CHBIT[2]=0.3\nIF _CHBIT[2]==1\nR1=5\nENDIF", 5.0),
+        ("_CHBIT[2]=TRUE\nR1=_CHBIT[2]", 1.0),
+        ("_SETVAL=7/4\nR1=_SETVAL", 1.75),
+        ("$AC_MARKER[1]=7/2\nR1=2*$AC_MARKER[1]", 8.0),
+    ] {
+        near(number(text, "R1"), expected, text);
+    }
+    assert_eq!(fault("_KNUM=3000000000"), "run-range");
+}
+
 // oracle: manual (Job planning 03/2006, 1.9: conversions at an assignment)
 #[test]
 fn a_variable_keeps_its_type() {

@@ -184,6 +184,30 @@ impl Sim {
         Ok(Some(end))
     }
 
+    /// The measuring input of the probe, or of the tool probe that a tool may touch, 1 or 2 (B:13834-13837).
+    pub fn measuring_input(&self) -> Option<i64> {
+        let named = match self.has_probe() {
+            true => "_CHBIT[0]",
+            false if self.tool_probes.is_empty() => return None,
+            false => "_CHBIT[1]",
+        };
+        Some(1 + i64::from(self.control.bit(named)))
+    }
+
+    /// A straight motion to a machine position that measures where the stylus comes free, and ends there; elsewhere it
+    /// ends at its target, with the stylus deflected or not.
+    pub(crate) fn release_machine(&mut self, to: Mcs, feed: f64) -> Result<Option<Mcs>, Stop> {
+        let from = self.position;
+        self.admit(&Route::straight(from, to))?;
+        let deflected = self.has_probe() && self.part.distance(from + self.ball()) < self.probe.radius - FARTHEST_IN;
+        let back = Route::straight(to, from);
+        let free = if deflected { self.obstacle(&back) } else { None };
+        let end = free.filter(|met| met.part > 0.0).map(|met| met.stop);
+        self.go(&Route::straight(from, end.unwrap_or(to)), MotionKind::Measuring, feed);
+        self.skipped = Some(self.control.to_workpiece(self.position));
+        Ok(end)
+    }
+
     /// The probe switches. That its stylus was deflected and not its ball spoils a measurement, and is told there.
     pub(super) fn switched(&mut self, met: &Obstacle) {
         self.touching = true;
