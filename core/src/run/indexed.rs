@@ -1,6 +1,6 @@
-//! Addresses that are written like elements of an array: `SPOS[1]=AC(90)`, `S[1]=500`, `M[1]=3`, `AX[NAME]=5`.
+//! Addresses that are written like elements of an array: `SPOS[1]=AC(90)`, `S[1]=500`, `M[1]=3`, `AX[NAME]=5`, `G[8]=2`.
 
-use super::{Address, Datum, Interpreter, Words, declare, evaluate, locals, noted, other_axes};
+use super::{Address, Datum, Interpreter, Words, declare, evaluate, locals, noted, other_axes, system};
 use crate::diagnostic::{Severity, Span};
 use crate::problem::Problem;
 use crate::syntax::tree::{Expr, ExprId, Word, WordKind};
@@ -26,7 +26,7 @@ pub fn take(run: &mut Interpreter, word: &Word, found: &mut Words) -> Result<boo
             (axis, there)
         }
         "SPOS" | "SPOSA" | "S" | "M" => (name, evaluate(run, *index)?.number() == Some(1.0)),
-        "G" => (name, false),
+        "G" => return by_group(run, *index, *value, span, found).map(|()| true),
         "PO" => return polynomial(run, *index, *value, span, found).map(|()| true),
         "AX" => (evaluate(run, *index)?.shown(), true),
         _ => return Ok(false),
@@ -43,6 +43,20 @@ pub fn take(run: &mut Interpreter, word: &Word, found: &mut Words) -> Result<boo
     let list = if linear { &mut found.positioning } else { &mut found.addresses };
     list.push(Address { name, extension: None, mode, value, span });
     Ok(true)
+}
+
+/// `G[8]=3`: the third function of group 8, G55. One that has no such number here is told and left out.
+fn by_group(run: &mut Interpreter, group: ExprId, value: ExprId, span: Span, found: &mut Words) -> Result<(), Problem> {
+    let [group, number] = [group, value].map(|id| evaluate(run, id));
+    let (group, number) = (group?.number(), number?.number());
+    match group.zip(number).and_then(|(group, number)| system::function(group, number)) {
+        Some(code) => {
+            let value = Datum::Number(code);
+            found.addresses.push(Address { name: "G".to_owned(), extension: None, mode: None, value, span });
+        }
+        None => noted::without(run, "run-passed", span, "G[]"),
+    }
+    Ok(())
 }
 
 /// `PO[X]=(10,1.5,0.2)`: where the polynomial of an axis ends, which is all that is simulated of it.

@@ -200,3 +200,23 @@ fn group(run: &Interpreter, key: &str) -> Option<f64> {
     };
     Some(place as f64 + 1.0)
 }
+
+/// The G function that `G[group]=number` means, in the groups of [`group`] that are functions with a number.
+pub fn function(group: f64, number: f64) -> Option<f64> {
+    let place = number - 1.0;
+    let among = |first: f64, count: f64| (0.0..count).contains(&place).then_some(first + place);
+    if place.fract() != 0.0 || group.fract() != 0.0 {
+        return None;
+    }
+    match group as i64 {
+        1 => among(0.0, 4.0),
+        6 => among(17.0, 3.0),
+        7 => among(40.0, 3.0),
+        8 if place == 0.0 => Some(500.0),
+        8 if place < 5.0 => Some(53.0 + place).filter(|_| place > 0.0),
+        8 => Some(500.0 + place).filter(|code| *code < 600.0),
+        13 => [70.0, 71.0, 700.0, 710.0].get(usize::try_from(place as i64).ok()?).copied(),
+        14 => among(90.0, 2.0),
+        _ => None,
+    }
+}

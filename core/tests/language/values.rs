@@ -224,3 +224,21 @@ fn a_program_chooses_how_long_its_tools_are() {
     assert_eq!((read("R1"), read("R3")), (0.0, 2.0));
     assert_eq!(read("R4") - read("R2"), -80.0, "T20 is 80 mm long");
 }
+
+// oracle: manual (Job planning: `G[group]=number` selects the function that `$P_GG[group]` names)
+#[test]
+fn a_function_is_selected_by_its_group() {
+    let text = "$P_UIFR[2]=CTRANS(X,20)\n$P_UIFR[6]=CTRANS(X,60)\n";
+    for (selected, written) in [
+        ("G[8]=3\nG0 X1", "G55\nG0 X1"),
+        ("R5=6 G[8]=R5+1\nG0 X1", "G506\nG0 X1"),
+        ("G55\nG[8]=1\nG0 X1", "G500\nG0 X1"),
+        ("G0 X5\nG[14]=2 X1", "G0 X5\nG91 X1"),
+        ("G[6]=2\nR1=$P_GG[6]\nG0 X=R1", "G18\nG0 X2"),
+        ("G[1]=2 F77 X3\nG[13]=3\nG[1]=1 X1", "G1 F77 X3\nG700 G0 X1"),
+    ] {
+        let run = |blocks: &str| clean(&format!("{text}{blocks}")).position;
+        assert_eq!(run(selected), run(written), "{selected}");
+    }
+    assert_eq!(findings("G[99]=1"), ["run-passed"]);
+}
