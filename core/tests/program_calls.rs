@@ -27,6 +27,17 @@ fn changed(text: &str, call: usize, name: &str, value: &str) -> String {
     String::from_utf8(apply(&program.source, &edits)).unwrap()
 }
 
+// oracle: hand: a program has no exponent `e`; the value is read again as it was meant, and may be changed once more
+#[test]
+fn an_exponent_is_written_out() {
+    let text = "_MVAR=1 _SETVAL=50 _KNUM=0\nCYCLE977\n";
+    for (typed, written) in [("1e3", "1000"), ("2,5E-1", "0.25"), ("1.5EX2", "150"), ("51,5", "51.5"), ("R2", "R2")] {
+        let once = changed(text, 0, "_SETVAL", typed);
+        assert_eq!(once, text.replace("50", written), "{typed}");
+        assert_eq!(changed(&once, 0, "_SETVAL", "50"), text, "{typed}");
+    }
+}
+
 // oracle: manual B 5.4.3.2 (hole 132, radius wear of T20)
 #[test]
 fn a_call_has_the_values_of_all_its_lines() {

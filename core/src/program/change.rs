@@ -4,7 +4,7 @@ use super::calls::{CallSite, Origin};
 use super::lists::{ListCall, list_call, set};
 use super::{arguments, write};
 use crate::catalogue::newer::arguments::Argument;
-use crate::check::{Parsed, Text, newer, parse, parse_text};
+use crate::check::{Parsed, Text, expression::shown, newer, parse, parse_text};
 use crate::control::delivery;
 pub use crate::diagnostic::Edit;
 use crate::diagnostic::Span;
@@ -161,11 +161,14 @@ fn is_array(name: &str) -> bool {
     letters && name.strip_prefix('R').unwrap_or(name).bytes().any(|byte| !byte.is_ascii_digit())
 }
 
-/// A typed number with its decimal comma as a point.
+/// A typed number with its decimal comma as a point, and without an exponent, which each control writes otherwise.
 fn plain(value: &str) -> String {
     let trimmed = value.trim();
-    let pointed = trimmed.replace(',', ".");
-    if pointed.parse::<f64>().is_ok() { pointed } else { trimmed.to_owned() }
+    match parse(trimmed) {
+        Parsed::Number(number) if trimmed.contains(['e', 'E']) => shown(number),
+        Parsed::Number(_) => trimmed.replace(',', "."),
+        _ => trimmed.to_owned(),
+    }
 }
 
 /// Takes away the word around a place, with the blanks before it (behind it, if it is the line's first).
