@@ -1859,8 +1859,6 @@ export type MachineView = {
   problems: Array<MachineProblem>,
   /** What differs, as blocks of a part program. */
   assignments: string,
-  /** Changed data as lines of the definition file. */
-  definitions: string,
 };
 
 /** A limit. */

@@ -89,7 +89,6 @@ user-program-runs-before-whole = { $name } läuft vor diesem Aufruf, von Anfang 
 user-program-runs-behind = { $name } läuft nach diesem Aufruf, ab { $label } (Zeile { $line }).
 user-program-runs-behind-whole = { $name } läuft nach diesem Aufruf, von Anfang an (Zeile { $line }): Es hat keine Marke { $label }.
 user-program-cycle = Kein Messzyklus ruft die Anwenderprogramme unter dem Namen { $name } auf.
-user-program-none = Mindestens einen Messzyklus auswählen.
 user-program-line = Diese Zeile ist zwischen Marke und M17 nicht möglich: { $line }
 user-program-again = { $name } durchläuft diese Zeilen selbst: Darin aufgerufen, endete es nie.
 user-program-twice = { $name } ist zweimal gewählt. Jeden Zyklus nur einmal nennen.

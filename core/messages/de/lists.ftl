@@ -52,7 +52,6 @@ argument-values = Bekannt aus Programmen, die an solchen Steuerungen laufen.
 argument-alarm = Alarm { $alarm } nennt es.
 argument-name-known = Nur Name und Platz sind veröffentlicht.
 argument-open = Die Ziffern sind nicht veröffentlicht: Es bleibt, wie es geschrieben ist, und wird nie neu geschrieben.
-argument-nothing = In diesem Aufruf weggelassen.
 argument-zero = Nullpunktverschiebung, die korrigiert wird
 argument-zero-help = Leer: nur messen. 1 bis 4: G54 bis G57; 5 bis 99: G505 bis G599; plus 10000: grob. 9999 und 19999: aktives Frame. 9000 ist in Gebrauch, die Bedeutung nicht veröffentlicht.
 argument-zero-fine = { $name }, fein

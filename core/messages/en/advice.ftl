@@ -89,7 +89,6 @@ user-program-runs-before-whole = { $name } runs before this call, from its start
 user-program-runs-behind = { $name } runs after this call, from { $label } (line { $line }).
 user-program-runs-behind-whole = { $name } runs after this call, from its start (line { $line }): it has no label { $label }.
 user-program-cycle = No measuring cycle calls the user programs under the name { $name }.
-user-program-none = Choose at least one measuring cycle.
 user-program-line = This line is not possible between label and M17: { $line }
 user-program-again = { $name } runs these lines itself: called in them, it would never end.
 user-program-twice = { $name } is chosen twice. Name each cycle once.

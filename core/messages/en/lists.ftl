@@ -52,7 +52,6 @@ argument-values = Known from programs that run on such controls.
 argument-alarm = Named by alarm { $alarm }.
 argument-name-known = Only its name and its place are published.
 argument-open = Its digits are not published: it is kept as written, and never written anew.
-argument-nothing = Omitted in this call.
 argument-zero = Zero offset that is corrected
 argument-zero-help = Empty: measure only. 1 to 4: G54 to G57; 5 to 99: G505 to G599; plus 10000: coarse offset. 9999 and 19999: active frame. 9000 is in use, its meaning is not published.
 argument-zero-fine = { $name }, fine

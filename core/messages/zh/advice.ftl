@@ -89,7 +89,6 @@ user-program-runs-before-whole = { $name } 在此调用之前从头运行（第 
 user-program-runs-behind = { $name } 在此调用之后运行，从 { $label } 开始（第 { $line } 行）。
 user-program-runs-behind-whole = { $name } 在此调用之后从头运行（第 { $line } 行）：其中没有标签 { $label }。
 user-program-cycle = 没有名为 { $name } 的测量循环调用用户程序。
-user-program-none = 请至少选择一个测量循环。
 user-program-line = 标签与 M17 之间不能有此行：{ $line }
 user-program-again = { $name } 自身会运行这些行：在其中调用会无限循环。
 user-program-twice = { $name } 被选择了两次。每个循环只能选择一次。

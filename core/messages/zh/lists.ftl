@@ -52,7 +52,6 @@ argument-values = 来自在此类控制系统上运行的程序。
 argument-alarm = 报警 { $alarm } 中提到。
 argument-name-known = 只公布了名称和位置。
 argument-open = 各位数字的含义未公布：保持原样，不会重新写入。
-argument-nothing = 此调用中省略。
 argument-zero = 要补偿的零点偏移
 argument-zero-help = 空：只测量。1 至 4：G54 至 G57；5 至 99：G505 至 G599；加 10000：粗偏移。9999 和 19999：有效坐标框架。9000 也在使用，其含义未公布。
 argument-zero-fine = { $name }，精调

@@ -10,7 +10,7 @@ use crate::entry::Typed;
 use crate::form::machine::{Entry, Group, Refusal, Setting, accept, doubt, doubts, groups};
 use crate::message::Message;
 use crate::own;
-use crate::program::write::machine::{assignments, definitions};
+use crate::program::write::machine::assignments;
 use crate::program::write::setting_data;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -44,8 +44,6 @@ pub struct MachineView {
     pub problems: Vec<MachineProblem>,
     /// What differs, as blocks of a part program.
     pub assignments: String,
-    /// Changed data as lines of the definition file.
-    pub definitions: String,
 }
 
 /// A typed value that is not taken.
@@ -131,10 +129,6 @@ fn view(dialect: Dialect, setup: Option<Machine>, basic: Option<Units>, typed: &
         assignments: match control.has_setting_data() {
             true => setting_data::assignments(&control, &delivered),
             false => assignments(&control, &delivered),
-        },
-        definitions: match control.has_setting_data() {
-            true => setting_data::lines(&control, &delivered),
-            false => definitions(&control, &delivered),
         },
     })
 }

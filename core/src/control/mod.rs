@@ -73,6 +73,11 @@ impl Plane {
         Plane::ALL.into_iter().nth(usize::from(code.checked_sub(17)?))
     }
 
+    /// 17, 18 or 19.
+    pub const fn code(self) -> u16 {
+        17 + self as u16
+    }
+
     /// Indices (X = 0, Y = 1, Z = 2) of abscissa, ordinate, applicate.
     pub const fn axes(self) -> [usize; 3] {
         match self {

@@ -56,7 +56,7 @@ pub fn probe_place(make: &Make) -> (i64, i64) {
 pub fn probe_data(turning: bool) -> Edge {
     match turning {
         true => Edge { kind: LATHE_PROBE, tip: 7, length: [40.123, 100.456, 0.0], radius: 3.0, ..Edge::default() },
-        false => Edge { kind: 710, length: [50.0, 0.0, 0.0], radius: 3.0, ..Edge::default() },
+        false => Edge { kind: PROBE, length: [50.0, 0.0, 0.0], radius: 3.0, ..Edge::default() },
     }
 }
 

@@ -233,7 +233,8 @@ impl Sim {
         if self.quiet {
             return;
         }
-        let own = !self.in_cycle && step.may_be_left_out() && !self.is_told(&step);
+        let told = !self.in_cycle && self.tells(&step);
+        let own = !self.in_cycle && step.may_be_left_out() && !told;
         let motion = own && matches!(step, Step::Motion { .. });
         let full = self.full() && !motion;
         if own {
@@ -254,9 +255,9 @@ impl Sim {
         self.trace.record(Entry { line: self.line, step, in_use });
     }
 
-    /// Whether a message is told where nothing else of the program itself is recorded: whether it stops, and why, is
-    /// what is looked for. A loop without an end says it over and over.
-    fn is_told(&mut self, step: &Step) -> bool {
+    /// Counts a message of the program; true: it is told where nothing else of the program itself is recorded, as
+    /// whether it stops, and why, is what is looked for. A loop without an end says it over and over.
+    fn tells(&mut self, step: &Step) -> bool {
         let message = self.told_limit == 0 && matches!(step, Step::Message { .. });
         self.messages += usize::from(message);
         message && self.messages <= MESSAGES

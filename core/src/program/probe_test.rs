@@ -103,7 +103,7 @@ impl ProbeTest {
     /// Plane, dimensions, and the probe with its offset.
     fn begin(&self, text: &mut Text) {
         let (tool, edge) = self.place;
-        let plane = 17 + Plane::ALL.iter().position(|plane| *plane == self.plane).unwrap_or(0);
+        let plane = self.plane.code();
         let units = if self.inch { 700 } else { 710 };
         if self.changes {
             text.line(&format!("T{tool}"));

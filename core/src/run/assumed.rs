@@ -4,7 +4,7 @@
 
 use super::{Interpreter, Limits, Outcome, Session, call, outcome::set};
 use crate::check::variants;
-use crate::control::{Edge, LATHE_PROBE, MachineSort, Plane, Tool};
+use crate::control::{Edge, LATHE_PROBE, MachineSort, Plane, Tool, probe::PROBE};
 use crate::dialect::Dialect;
 use crate::entry::{Cycle, Inputs, ProbeUse, Proposal, Typed};
 use crate::geometry::{Degrees, Mcs, Rpy, V3, rigid};
@@ -18,8 +18,6 @@ use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
-/// Type of a 3D probe (B:4147).
-const PROBE: i64 = 710;
 /// Type of an end mill.
 const MILL: i64 = 120;
 /// Type of a turning tool.

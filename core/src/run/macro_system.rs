@@ -80,7 +80,7 @@ fn modal(run: &Interpreter, number: u32) -> Option<f64> {
     let (control, modal) = (&run.sim.control, &run.modal);
     Some(match number {
         4001 => f64::from(modal.motion as u8),
-        4002 => f64::from(17 + control.plane as u8),
+        4002 => f64::from(control.plane.code()),
         4003 => one_of(modal.absolute, 90.0, 91.0),
         4005 => one_of(modal.feed_type == FeedType::Minute, 94.0, 95.0),
         4006 => one_of(control.active_units == Units::Inch, 20.0, 21.0),

@@ -5,7 +5,7 @@ use super::mesh::{Mesh, Vertex};
 use super::solid::CHORD;
 use super::{Matter, solid};
 use crate::catalogue::find;
-use crate::control::{Edge, LATHE_PROBE, upright};
+use crate::control::{Edge, LATHE_PROBE, probe::PROBE, upright};
 use crate::entry::ProbeUse;
 use crate::geometry::{Dir, Mcs, V3, figures};
 use crate::machine::{InUse, Setup, Step};
@@ -78,7 +78,7 @@ fn uncorrected(used: &InUse, all: &[InUse]) -> Option<InUse> {
 }
 
 fn tool(setup: &Setup, used: &InUse, measured: bool) -> Tool {
-    let is_probe = |edge: &Edge| measured || [710, LATHE_PROBE].contains(&edge.kind);
+    let is_probe = |edge: &Edge| measured || [PROBE, LATHE_PROBE].contains(&edge.kind);
     let probe = used.edge.as_ref().is_none_or(is_probe);
     let Some(tool) = used.tool.as_ref().filter(|_| !probe) else { return ball(setup, used) };
     let tip = V3::from(used.tip);

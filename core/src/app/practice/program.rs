@@ -133,7 +133,7 @@ fn meant(session: &Session) -> PracticeProgram {
 pub fn call_text(call: &Call) -> String {
     let Call { cycle, values, control, start, .. } = call;
     let [abscissa, ordinate, applicate] = control.plane.axes();
-    let plane = 17 + control.plane as u16;
+    let plane = control.plane.code();
     let zero = control.make().settable_name(control.settable);
     let [across, along] =
         [[Some(abscissa), Some(ordinate)], [Some(applicate), None]].map(|axes| words(control, *start, axes));

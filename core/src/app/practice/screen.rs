@@ -178,7 +178,7 @@ pub(super) fn machine(session: &Session) -> PracticeMachine {
     measuring.activate(session.measuring());
     let plane = settings::plane(control);
     let planes = Plane::ALL.map(|one| {
-        let number = 17 + one as u16;
+        let number = one.code();
         PracticeUse { name: format!("G{number}"), line: format!("set _JM_I[3] = {number}"), used: one == plane }
     });
     let others = control.frames.keys().copied().filter(|number| *number > 4);

@@ -28,11 +28,7 @@ impl Used {
 
     /// The data in which is noted how it was calibrated, and the codes of its use.
     pub fn noted(self, control: &Control) -> [(String, f64); 2] {
-        let plane = match control.plane {
-            Plane::G17 => 17.0,
-            Plane::G18 => 18.0,
-            Plane::G19 => 19.0,
-        };
+        let plane = f64::from(control.plane.code());
         let reference = if self.milling && control.bit("_CBIT[14]") { 2.0 } else { 1.0 };
         let datum = |place: usize| format!("_WP[{},{place}]", self.field - 1);
         [(datum(9), plane + if self.mono { 100.0 } else { 0.0 }), (datum(10), reference)]

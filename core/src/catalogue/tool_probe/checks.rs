@@ -3,9 +3,7 @@
 use super::{ProbeData, count};
 use crate::catalogue::prelude::*;
 use crate::check::announced;
-
-/// Type of a 3D probe, `$TC_DP1` (B:4147).
-const WORKPIECE_PROBE: i64 = 710;
+use crate::control::probe::PROBE;
 
 /// An alarm at a parameter, with its cure.
 pub fn refused(number: u32, message: Message, hint: &'static str, at: Name) -> Diagnostic {
@@ -57,7 +55,7 @@ pub fn limits(inputs: &Inputs, found: &mut Vec<Diagnostic>) {
 pub fn tool_in_use<'a>(control: &'a Control, found: &mut Vec<Diagnostic>) -> Option<&'a Edge> {
     radius(control, found);
     let edge = control.active_edge().filter(|edge| edge.kind != 0)?;
-    if edge.kind != WORKPIECE_PROBE {
+    if edge.kind != PROBE {
         return Some(edge);
     }
     found.push(announced(61314, "check-tool-probe-in-use", names::MVAR));

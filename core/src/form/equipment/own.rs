@@ -40,7 +40,7 @@ impl Machine {
         Machine {
             name: setup.name.clone(),
             sort: i64::from(control.all_as_turning_tools()),
-            plane: 17 + Plane::ALL.iter().position(|plane| *plane == control.plane).unwrap_or(0) as i64,
+            plane: i64::from(control.plane.code()),
             transverse: TRANSVERSE.iter().position(|one| *one == control.transverse).unwrap_or(0) as i64,
             spindle_positions: i64::from(control.spindle_positions),
             minus: control.limits.minus,

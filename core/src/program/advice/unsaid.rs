@@ -1,7 +1,7 @@
 //! What the text does not say before a call, so that the machine or another program decides. Asked once a program.
 
 use super::{Seen, at_call, between, with_line};
-use crate::control::{MachineSort, Transverse, tools::TURNING};
+use crate::control::{MachineSort, Transverse, probe::PROBE, tools::TURNING};
 use crate::diagnostic::Diagnostic;
 use crate::entry::{Inputs, ProbeUse, names};
 use crate::own;
@@ -69,9 +69,6 @@ fn tool(seen: &Seen) -> Option<Diagnostic> {
         None => finding,
     })
 }
-
-/// Type of a tool that is a probe and nothing else (B:4147-4152); a mill may be of the type of a probe as well.
-const PROBE: i64 = 710;
 
 /// How the program changes to the one workpiece probe that the tool table has.
 fn the_probe(seen: &Seen) -> Option<String> {

@@ -1,6 +1,6 @@
-//! The changed data of a machine as text: assignments for a part program, and lines of the definition file.
+//! The changed data of a machine as text: assignments for a part program.
 
-use crate::control::gud::{Block, Gud, Kind};
+use crate::control::gud::Gud;
 use crate::control::nct_data::NctDatum;
 use crate::control::{Control, Value, gud, nct_data};
 use std::fmt::Write;
@@ -55,41 +55,6 @@ pub fn assignments(control: &Control, delivered: &Control) -> String {
     text
 }
 
-/// Lines of the definition file of block GUD6 for data that differ, with sizes (B:13274-13288), but for texts.
-pub fn definitions(control: &Control, delivered: &Control) -> String {
-    let changed = differing(control, delivered);
-    let counts = |gud: &Gud| changed.iter().any(|name| name == gud.counted);
-    let differs = |gud: &Gud| {
-        let own = |name: &String| gud::named(name).is_some_and(|one| one.name == gud.name);
-        counts(gud) || changed.iter().any(own)
-    };
-    let mut text = String::new();
-    let simple = |gud: &&Gud| gud.block == Block::Gud6 && !matches!(gud.kind, Kind::Text | Kind::Frame);
-    for gud in gud::all().filter(simple).filter(|gud| differs(gud)) {
-        let _ = writeln!(text, "{}", definition(control, gud));
-    }
-    text
-}
-
-/// `DEF NCK REAL _KB[3,7]=(0,…)`; fields that are counted have as many as there are.
-fn definition(control: &Control, gud: &Gud) -> String {
-    let mut sizes = gud.sizes.to_vec();
-    if let Some(first) = sizes.first_mut().filter(|_| !gud.counted.is_empty()) {
-        *first = (control.number(gud.counted) as usize).min(*first);
-    }
-    let line = head(gud);
-    if sizes.contains(&0) {
-        return format!(";{line} not present"); // the manual turns such a line into a comment
-    }
-    if sizes.is_empty() {
-        return format!("{line}={}", written(&value(control, gud.name)));
-    }
-    let count: Vec<String> = sizes.iter().map(usize::to_string).collect();
-    let line = format!("{line}[{}]", count.join(","));
-    let values = listed(places(&sizes).iter().map(|at| value(control, &gud.spelled(at))), sizes.len());
-    if values.is_empty() { line } else { format!("{line}=({values})") }
-}
-
 /// `DEF NCK REAL _KB`.
 pub(super) fn head(gud: &Gud) -> String {
     format!("DEF {} {} {}", if gud.channel { "CHAN" } else { "NCK" }, gud.kind.name(), gud.name)
@@ -126,7 +91,6 @@ mod tests {
         let delivered = delivery(Dialect::Sinumerik);
         let mut control = delivered.clone();
         assert_eq!(assignments(&control, &delivered), "");
-        assert_eq!(definitions(&control, &delivered), "");
         control.set("_CVAL[1]", 2.0);
         control.set("_CBIT[2]", 1.0);
         control.set("_WP[0,0]", 5.995);
@@ -138,31 +102,5 @@ mod tests {
             assignments(&control, &delivered),
             "_CVAL[1]=2\n_WP[0,0]=5.995\n_CBIT[2]=1\n_PROTNAME[1]=\"LOG1\"\n_DIGIT=4\n"
         );
-    }
-
-    #[test]
-    fn definitions_are_those_of_the_manual() {
-        let delivered = delivery(Dialect::Sinumerik);
-        let mut control = delivered.clone();
-        for (name, value) in [
-            ("_CVAL[0]", 2.0),
-            ("_CVAL[1]", 2.0),
-            ("_CVAL[2]", 0.0),
-            ("_CVAL[3]", 0.0),
-            ("_EVMVNUM[0]", 10.0),
-            ("_EVMVNUM[1]", 10.0),
-        ] {
-            control.set(name, value);
-        }
-        let text = definitions(&control, &delivered);
-        // oracle: manual B:13278-13283 (the example; its list goes on with the second probe here)
-        for line in [
-            "DEF NCK INT _CVAL[4]=(2,2,0,0)",
-            "DEF NCK REAL _TP[2,10]=(0,0,0,0,0,0,0,133,0,2,0,0,0,0,0,0,0,133,0,2)",
-            ";DEF NCK REAL _KB not present",
-            "DEF CHAN INT _EVMVNUM[2]=(10,10)",
-        ] {
-            assert!(text.lines().any(|one| one == line), "{line}\n{text}");
-        }
     }
 }
