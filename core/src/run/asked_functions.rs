@@ -4,6 +4,7 @@
 use super::{Datum, Interpreter, files, locals, names, of_machine, other_axes, sprint, stem};
 use crate::control::machine_data;
 use crate::diagnostic::Span;
+use crate::name::numbered;
 
 /// Functions whose value only the machine has: search of tools and places, tables, contours, axes of spindles.
 const OF_MACHINE: [&str; 34] = [
@@ -44,6 +45,7 @@ fn is_variable(run: &Interpreter, text: &str) -> bool {
         Some(number) => format!("R{number}"),
         None => name,
     };
+    let name = numbered(name);
     let declared = locals::declared(run, stem(&name)) && !name.contains('[');
     declared || machine_data::of_machine(&name) || names::read(run, &name, Span::default()).is_ok()
 }
