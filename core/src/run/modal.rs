@@ -27,7 +27,7 @@ pub struct Modal {
     pub corner_feed: f64,
     /// T that is waiting for M6.
     pub prepared: Option<i64>,
-    /// D programmed after T and before M6.
+    /// D programmed with T and before M6.
     pub waiting_edge: Option<i64>,
     /// G40, G41 or G42.
     pub compensation: Compensation,
