@@ -4,8 +4,8 @@ use super::{Datum, Interpreter, asked_functions, expression::element, expression
 use crate::control::{AXES, Frame, ROTARY, variables::set_component};
 use crate::diagnostic::Span;
 use crate::problem::Problem;
-use crate::syntax::{arithmetic, number};
 use crate::syntax::tree::ExprId;
+use crate::syntax::{arithmetic, number};
 
 pub fn call(run: &Interpreter, place: Span, args: &[ExprId]) -> Result<Datum, Problem> {
     let name = run.program.name(place);

@@ -187,7 +187,11 @@ fn mask(run: &Interpreter, key: &str) -> f64 {
 fn group(run: &Interpreter, key: &str) -> Option<f64> {
     let control = &run.sim.control;
     let place = match *indices(key).first()? {
-        "1" if run.modal.motion != Motion::Spline => run.modal.motion as usize,
+        "1" => match run.modal.motion {
+            Motion::Spline => return None,
+            Motion::Tangential => 14, // the fifteenth (Fundamentals 10.2004, 12.3)
+            motion => motion as usize,
+        },
         "6" => control.plane as usize,
         "7" => run.modal.compensation as usize,
         "8" => control.settable,
