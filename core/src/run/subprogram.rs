@@ -161,15 +161,21 @@ pub fn leave(run: &mut Interpreter) -> Next {
         }
         return Next::Jump(level.blocks.start);
     }
-    let Some(level) = run.levels.pop() else { return Next::End };
+    let Some(level) = close(run) else { return Next::End };
+    Next::Jump(if level.again { level.call } else { repeat::after(run, level.call) })
+}
+
+/// Ends the present program, whatever passes are to come; what it saved is active again.
+pub fn close(run: &mut Interpreter) -> Option<Level> {
+    let mut level = run.levels.pop()?;
     run.sim.files.end();
-    if let Some(saved) = level.saved {
+    if let Some(saved) = level.saved.take() {
         restore(run, *saved);
     }
-    if let (Variables::Caller, Some(caller)) = (level.variables, run.levels.last_mut()) {
-        caller.locals = level.locals;
+    if let (Variables::Caller, Some(caller)) = (&level.variables, run.levels.last_mut()) {
+        caller.locals = std::mem::take(&mut level.locals);
     }
-    Next::Jump(if level.again { level.call } else { repeat::after(run, level.call) })
+    Some(level)
 }
 
 /// A parameter of a `PROC`.
