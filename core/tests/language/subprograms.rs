@@ -23,6 +23,18 @@ fn omitted_arguments_have_their_default() {
     assert_eq!(number(text, "R1"), 1034.0);
 }
 
+// oracle: manual (Job planning, system variables: whether the call programs parameter n of the subprogram)
+#[test]
+fn a_program_asks_which_parameters_its_call_gives() {
+    let part = "M30\n%_N_PART_SPF\nPROC PART(REAL A,VAR REAL B,REAL C=4)\n\
+        R1=100*$P_SUBPAR[1]+10*$P_SUBPAR[2]+$P_SUBPAR[3]\nIF NOT $P_SUBPAR[1] AND (R9==0)\nR9=1\nPART(1)\nENDIF\nR2=R1\nRET";
+    for (call, given) in [("PART(1,R5,0)", 111.0), ("PART(0)", 100.0), ("R9=1\nPART(,R5)", 10.0), ("R9=1\nPART", 0.0)] {
+        assert_eq!(number(&format!("{call}\n{part}"), "R2"), given, "{call}");
+    }
+    // each level its own
+    assert_eq!(number(&format!("PART(,,5)\n{part}").replace("R2=R1", "R2=$P_SUBPAR[3]"), "R2"), 1.0);
+}
+
 /// A program with these blocks, and one that it calls.
 fn with_return(main: &str, back: &str) -> String {
     format!("{main}\nM30\n%_N_BACK_SPF\nPROC BACK\n{back}\n")
