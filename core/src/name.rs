@@ -22,6 +22,19 @@ impl Name {
     }
 }
 
+/// The name of a variable without leading zeroes in its numeric extension: `R01` is `R1` (fundamentals manual 10.2004,
+/// p. 2-15), `#0100` is `#100`; other names stay.
+pub fn numbered(mut name: String) -> String {
+    let bytes = name.as_bytes();
+    if let [b'R' | b'#', digits @ ..] = bytes
+        && digits.iter().all(u8::is_ascii_digit)
+    {
+        let zeroes = digits.iter().take_while(|digit| **digit == b'0').count().min(digits.len().saturating_sub(1));
+        name.drain(1..=zeroes);
+    }
+    name
+}
+
 impl Deref for Name {
     type Target = str;
 
@@ -69,5 +82,31 @@ impl fmt::Debug for Name {
 impl From<Name> for String {
     fn from(name: Name) -> String {
         name.0.to_owned()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::numbered;
+
+    // oracle: manual (fundamentals 10.2004, p. 2-15: leading zeroes are ignored in variables with numeric extensions)
+    #[test]
+    fn leading_zeroes_are_no_part_of_a_number() {
+        for (written, name) in [
+            ("R01", "R1"),
+            ("R1", "R1"),
+            ("R10", "R10"),
+            ("R00", "R0"),
+            ("R0", "R0"),
+            ("R0100", "R100"),
+            ("#0100", "#100"),
+            ("R", "R"),
+            ("#", "#"),
+            ("R0A", "R0A"),
+            ("L01", "L01"),
+            ("", ""),
+        ] {
+            assert_eq!(numbered(written.into()), name, "{written}");
+        }
     }
 }

@@ -6,6 +6,7 @@ use probewright_core::dialect::Dialect;
 use probewright_core::entry::names;
 use probewright_core::program::calls::{CallSite, calls};
 use probewright_core::program::change::{apply, change};
+use probewright_core::program::variables::variables;
 use probewright_core::program::{arrivals, findings};
 use probewright_core::syntax::{Program, read};
 use probewright_core::words::Words;
@@ -117,6 +118,20 @@ fn several_calls_with_the_same_value_show_it_and_with_others_say_so() {
     assert_eq!(setpoint(&sites(&text).1[0]), "_SETVAL");
     assert_eq!(said(&text, 0), "Depends on the path to this call: 40 (3), 50 (5).");
     assert_eq!(changed(&text, 0, "_SETVAL", "41"), text);
+}
+
+// oracle: manual (Fundamentals 10.2004, p. 2-15: leading zeroes are ignored in variables with numeric extensions)
+#[test]
+fn a_variable_is_the_same_with_leading_zeroes() {
+    for (written, read) in [("R02", "R2"), ("R2", "R02"), ("R[2]", "R002"), ("R02", "R[2]")] {
+        let text = whole(&format!("{REST}{written}=40\n_SETVAL={read}\nCYCLE977\n"), &[]);
+        let (program, sites) = sites(&text);
+        let found = variables(&program, &sites[0], "_SETVAL", "41");
+        assert_eq!((found.len(), &*found[0].name, &found[0].assigned[..]), (1, "R2", &[4][..]), "{text}");
+        let change = found[0].change.as_ref().unwrap();
+        let after = apply(text.as_bytes(), std::slice::from_ref(&change.edit));
+        assert_eq!(String::from_utf8(after).unwrap(), text.replace("=40", "=41"));
+    }
 }
 
 // oracle: hand (more calls than are told apart: no change for some of them)

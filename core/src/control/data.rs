@@ -54,10 +54,10 @@ pub(super) fn nct(name: &str, text: bool) -> bool {
     !text && (numbered(name, '#', 10_000) || nct_data::find(name).is_some())
 }
 
-/// Whether it is a letter and a number below this one.
+/// Whether it is a letter and a number below this one, as data are kept: without leading zeroes.
 fn numbered(name: &str, letter: char, most: usize) -> bool {
-    let number = name.strip_prefix(letter).and_then(|digits| digits.parse::<usize>().ok());
-    number.is_some_and(|number| number < most)
+    let digits = name.strip_prefix(letter).filter(|digits| *digits == "0" || !digits.starts_with('0'));
+    digits.and_then(|digits| digits.parse::<usize>().ok()).is_some_and(|number| number < most)
 }
 
 impl<'de> Deserialize<'de> for Value {

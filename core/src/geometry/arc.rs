@@ -69,6 +69,13 @@ impl<P: Copy + From<V3> + Into<V3>> Around<P> {
         )
     }
 
+    /// The direction in which it ends; its length says nothing.
+    pub fn leaves(&self, from: P, to: P) -> V3 {
+        let [(_, height), (last, top)] = [from, to].map(|point| self.split(point));
+        let axis = V3::from(self.axis);
+        axis.cross(&last) * self.degrees.radians() + axis * (top - height)
+    }
+
     /// Distance from the axis, where that is greatest, mm.
     pub fn radius(&self, from: P, to: P) -> f64 {
         let [start, end] = [from, to].map(|point| self.split(point).0.norm());

@@ -12,6 +12,7 @@ use crate::check::{Parsed, expression::shown, parse};
 use crate::diagnostic::Span;
 use crate::entry::Arg;
 use crate::message::Message;
+use crate::name::numbered;
 use crate::syntax::fold::{self, NOTHING, number};
 use crate::syntax::programs::programs;
 use crate::syntax::{Expr, ExprId, Operator, Program, Word, WordKind};
@@ -306,7 +307,7 @@ fn has_numbers(name: &str) -> bool {
 pub(super) fn plain_name(name: &str) -> String {
     let inside = name.strip_prefix("R[").and_then(|rest| rest.strip_suffix(']'));
     let inside = inside.filter(|inside| inside.bytes().all(|byte| byte.is_ascii_digit()));
-    inside.map_or_else(|| name.to_owned(), |number| format!("R{number}"))
+    numbered(inside.map_or_else(|| name.to_owned(), |number| format!("R{number}")))
 }
 
 /// Whether a variable may be an element of what has this name.

@@ -86,6 +86,8 @@ pub enum Setting {
     Transverse(Transverse),
     /// A circle through a point.
     Through,
+    /// A circle that goes on from the motion before.
+    Tangential,
     /// A spline.
     Spline,
     /// How a spline begins or ends.
@@ -102,6 +104,7 @@ pub fn setting(name: &str) -> Option<Setting> {
         "DIAMON" => Setting::Transverse(Transverse::Diameter),
         "DIAM90" => Setting::Transverse(Transverse::AbsoluteDiameter),
         "CIP" => Setting::Through,
+        "CT" => Setting::Tangential,
         "ASPLINE" | "BSPLINE" | "CSPLINE" | "POLY" => Setting::Spline,
         "KONT" | "KONTT" | "KONTC" => Setting::Approach,
         "BAUTO" | "BTAN" | "EAUTO" | "ETAN" => Setting::EndOfSpline,

@@ -1,9 +1,9 @@
 //! What the words of a block do together: functions first, then tool, motion, calls, and the end.
 
 use super::{
-    Call, Datum, Halt, Interpreter, Next, Words, addresses, cycle, files, frame, gcode, listed, macro_call, motion,
-    noted, of_control, of_string, older, repeat, restart, standard, subprogram, swivel, tool, tool_memory, transformed,
-    unread,
+    Call, Datum, Halt, Interpreter, Next, Words, addresses, back, cycle, files, frame, gcode, listed, macro_call,
+    motion, noted, of_control, of_string, older, repeat, restart, standard, subprogram, swivel, tool, tool_memory,
+    transformed, unread,
 };
 use crate::diagnostic::Span;
 use crate::geometry::Degrees;
@@ -82,7 +82,7 @@ pub fn perform(run: &mut Interpreter, mut found: Words) -> Result<Next, Halt> {
     Ok(match end {
         Some(End::Jump(next)) => next,
         Some(End::Program) => Next::End,
-        Some(End::Level) => subprogram::leave(run),
+        Some(End::Level(back)) => back::go(run, &back)?,
         None => Next::Block,
     })
 }
@@ -94,7 +94,7 @@ enum End {
     /// With the whole run: M2, M30 of NCT.
     Program,
     /// By going back to the call, from the main program with the whole run: M17, RET, in a subprogram also M2 and M30.
-    Level,
+    Level(back::Back),
 }
 
 /// The NCT macro that a block calls with `G110` or `G65 P9019`; which function calls which, the machine says (C:58).
@@ -118,7 +118,7 @@ fn is_foreign(cycle: &'static entry::Cycle, found: &Words) -> bool {
 /// M functions that stop, end or turn; the others, and those of another spindle, belong to the machine.
 fn end(run: &mut Interpreter, found: &Words) -> Result<Option<End>, Problem> {
     let grammar = run.program.grammar();
-    let mut end = found.leaves.then_some(End::Level);
+    let mut end = found.leaves.clone().map(End::Level);
     for address in found.of("M") {
         let number = address.value.number().unwrap_or(-1.0);
         let other = address.extension.filter(|spindle| *spindle > 1);
@@ -128,7 +128,7 @@ fn end(run: &mut Interpreter, found: &Words) -> Result<Option<End>, Problem> {
             // M1 waits only where the operator wants it
             halt @ (0 | 1) => run.sim.note(Step::Message { text: word, waits: halt == 0 }),
             2 | 30 if grammar.ends_run => end = Some(End::Program),
-            2 | 30 | 17 => end = Some(End::Level),
+            2 | 30 | 17 => end = Some(End::Level(back::Back::default())),
             98 if grammar.numbered => {}
             99 if grammar.numbered => {
                 return Ok(Some(End::Jump(macro_call::back(run, found, address.span)?)));

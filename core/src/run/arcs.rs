@@ -5,6 +5,8 @@ use std::f64::consts::TAU;
 
 /// How far the distances of both ends from the centre may differ, mm.
 const TOLERANCE: f64 = 0.01;
+/// An end that lies beside a tangent by no more lies on it, mm.
+const STRAIGHT: f64 = 1e-6;
 /// Angles below this are none, radian.
 const NO_ANGLE: f64 = 1e-9;
 
@@ -60,6 +62,22 @@ impl Arc {
         Arc::about(centre, start, [centre[0] + radius * angle.cos(), centre[1] + radius * angle.sin()], counter)
     }
 
+    /// The arc to an end that begins in a direction; the inner none: the end lies straight ahead; the outer: behind.
+    pub fn tangential(direction: [f64; 2], start: [f64; 2], end: [f64; 2]) -> Option<Option<Arc>> {
+        let (dx, dy) = (end[0] - start[0], end[1] - start[1]);
+        let [x, y] = direction;
+        let (across, along) = (x * dy - y * dx, x * dx + y * dy);
+        let half = across.atan2(along);
+        let (length, size) = (dx.hypot(dy), x.hypot(y));
+        // how far the end lies beside the straight line
+        if across.abs() <= STRAIGHT * size {
+            return (along >= 0.0 || length <= STRAIGHT).then_some(None);
+        }
+        let radius = length / (2.0 * half.sin()); // negative: to the right
+        let centre = [start[0] - y / size * radius, start[1] + x / size * radius];
+        Some(Some(Arc { centre, end, sweep: 2.0 * half }))
+    }
+
     /// The arc with whole turns before its end (`TURN`).
     pub fn with_turns(self, turns: f64) -> Arc {
         Arc { sweep: self.sweep + TAU * turns * self.sweep.signum(), ..self }
@@ -110,6 +128,27 @@ mod tests {
         near(&long.centre, &[10.0, 10.0]);
         near(&[long.sweep], &[0.75 * TAU]);
         assert_eq!(Arc::about([0.0; 2], start, [0.0, 10.02], true), None);
+    }
+
+    // oracle: hand (from the origin along X: to the left and to the right of it, more than a half circle, straight on)
+    #[test]
+    fn a_tangent_and_an_end_make_an_arc() {
+        let ahead = |end| Arc::tangential([3.0, 0.0], [0.0; 2], end);
+        for (end, centre, quarters) in [
+            ([10.0, 10.0], [0.0, 10.0], 1.0),
+            ([10.0, -10.0], [0.0, -10.0], -1.0),
+            ([0.0, 20.0], [0.0, 10.0], 2.0),
+            ([-10.0, 10.0], [0.0, 10.0], 3.0),
+            ([-10.0, -10.0], [0.0, -10.0], -3.0),
+        ] {
+            let arc = ahead(end).unwrap().unwrap();
+            near(&arc.centre, &centre);
+            near(&[arc.sweep], &[quarters * TAU / 4.0]);
+            near(&arc.end, &end);
+        }
+        assert_eq!(ahead([10.0, 0.0]), Some(None));
+        assert_eq!(ahead([0.0, 0.0]), Some(None));
+        assert_eq!(ahead([-10.0, 0.0]), None);
     }
 
     // oracle: hand

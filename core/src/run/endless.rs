@@ -26,6 +26,7 @@ struct Kept {
     shared: Locals,
     measured: BTreeMap<String, f64>,
     programmed: (Mcs, Wcs),
+    tangent: Option<[f64; 3]>,
     machine: State,
 }
 
@@ -61,6 +62,7 @@ fn is(run: &Interpreter, kept: &Kept) -> bool {
         && run.modal == kept.modal
         && run.measured == kept.measured
         && run.programmed == kept.programmed
+        && run.tangent == kept.tangent
 }
 
 fn keep(run: &Interpreter) -> Kept {
@@ -71,6 +73,7 @@ fn keep(run: &Interpreter) -> Kept {
         shared: run.shared.clone(),
         measured: run.measured.clone(),
         programmed: run.programmed,
+        tangent: run.tangent,
         machine: run.sim.state(),
     }
 }

@@ -4,8 +4,8 @@ use super::{Datum, Interpreter, asked_functions, expression::element, expression
 use crate::control::{AXES, Frame, ROTARY, variables::set_component};
 use crate::diagnostic::Span;
 use crate::problem::Problem;
-use crate::syntax::arithmetic;
 use crate::syntax::tree::ExprId;
+use crate::syntax::{arithmetic, number};
 
 pub fn call(run: &Interpreter, place: Span, args: &[ExprId]) -> Result<Datum, Problem> {
     let name = run.program.name(place);
@@ -115,8 +115,8 @@ fn of_texts(name: &str, values: &[Datum]) -> Option<Datum> {
         ("STRLEN", [Datum::Text(text)]) => Datum::Number(text.chars().count() as f64),
         ("TOUPPER", [Datum::Text(text)]) => Datum::Text(text.to_uppercase()),
         ("TOLOWER", [Datum::Text(text)]) => Datum::Text(text.to_lowercase()),
-        ("ISNUMBER", [Datum::Text(text)]) => Datum::from(number(text).is_some()),
-        ("NUMBER", [Datum::Text(text)]) => Datum::Number(number(text)?),
+        ("ISNUMBER", [Datum::Text(text)]) => Datum::from(number::of_text(text).is_some()),
+        ("NUMBER", [Datum::Text(text)]) => Datum::Number(number::of_text(text)?),
         ("INDEX", [Datum::Text(text), wanted]) => place(text, text.find(wanted.character()?)),
         ("RINDEX", [Datum::Text(text), wanted]) => place(text, text.rfind(wanted.character()?)),
         ("MINDEX", [Datum::Text(text), Datum::Text(any)]) => place(text, text.find(|one: char| any.contains(one))),
@@ -132,10 +132,6 @@ fn of_texts(name: &str, values: &[Datum]) -> Option<Datum> {
         ("AXSTRING", [Datum::Word(name)]) => Datum::Text(name.clone()),
         _ => return None,
     })
-}
-
-fn number(text: &str) -> Option<f64> {
-    text.trim().parse().ok().filter(|value: &f64| value.is_finite())
 }
 
 /// The place in a text of a byte, in characters; -1 where nothing was found.

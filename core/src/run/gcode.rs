@@ -14,6 +14,7 @@ pub fn settings(run: &mut Interpreter, found: &mut Words) {
             Some(Setting::Suppress) => found.path.suppress = Suppress::All,
             Some(Setting::Transverse(transverse)) => run.sim.control.transverse = transverse,
             Some(Setting::Through) => run.modal.motion = Motion::Through,
+            Some(Setting::Tangential) => run.modal.motion = Motion::Tangential,
             Some(Setting::Spline) => {
                 run.modal.motion = Motion::Spline;
                 run.tell(Severity::Warning, &Problem::new("run-spline", call.span, &*call.name));

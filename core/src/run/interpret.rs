@@ -38,6 +38,8 @@ pub struct Interpreter {
     pub measured: BTreeMap<String, f64>,
     /// Where the spindle nose stood at the end of the last motion of the program, and the position of that moment.
     pub programmed: (Mcs, Wcs),
+    /// The direction in which that motion ended, in the WCS; none: there was none, or it is not known.
+    pub tangent: Option<[f64; 3]>,
     /// By which functions the machine calls the macros of NCT.
     pub functions: Functions,
     /// What the tool follows with radius compensation.
@@ -371,6 +373,7 @@ impl Interpreter {
         let mut run = Interpreter {
             pieces: Pieces::default(),
             programmed: motion::standing(&sim),
+            tangent: None,
             functions: Functions::of(&sim.control),
             sim,
             modal: Modal { motion, absolute: true, feed_factor, ..Modal::default() },

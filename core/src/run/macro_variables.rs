@@ -36,14 +36,6 @@ pub fn is(key: &str) -> bool {
     key.starts_with('#')
 }
 
-/// `#0100` is `#100`; other names stay.
-pub fn canonical(name: String) -> String {
-    match name.strip_prefix('#').map(str::parse::<u32>) {
-        Some(Ok(number)) => local(number),
-        _ => name,
-    }
-}
-
 /// Name of the variable with this number.
 pub fn local(number: u32) -> String {
     format!("#{number}")

@@ -5,6 +5,7 @@ mod addresses;
 mod arcs;
 mod asked_functions;
 pub mod assumed;
+mod back;
 mod branch;
 pub(crate) mod call;
 pub mod called;

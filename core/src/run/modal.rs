@@ -27,7 +27,7 @@ pub struct Modal {
     pub corner_feed: f64,
     /// T that is waiting for M6.
     pub prepared: Option<i64>,
-    /// D programmed after T and before M6.
+    /// D programmed with T and before M6.
     pub waiting_edge: Option<i64>,
     /// G40, G41 or G42.
     pub compensation: Compensation,
@@ -41,7 +41,7 @@ pub struct Modal {
     pub radius: i64,
 }
 
-/// How a block with axis words moves, in the order in which the control counts these functions.
+/// How a block with axis words moves, up to CIP in the order in which the control counts these functions.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Motion {
     /// G0.
@@ -57,6 +57,8 @@ pub enum Motion {
     Through,
     /// A spline or polynomial, of which only the programmed points are passed.
     Spline,
+    /// CT: an arc of the plane that goes on as the last motion ended.
+    Tangential,
 }
 
 impl Motion {

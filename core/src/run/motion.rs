@@ -7,7 +7,7 @@ use super::{
 use crate::control::units::INCH;
 use crate::control::{AXES, Transverse, Units};
 use crate::diagnostic::Severity;
-use crate::geometry::{Around, Degrees, Dir, Mcs, Wcs, arc};
+use crate::geometry::{Around, Degrees, Dir, Mcs, V3, Wcs, arc};
 use crate::machine::{MotionKind, Route, Sim};
 use crate::problem::Problem;
 use std::f64::consts::TAU;
@@ -37,7 +37,9 @@ pub fn go(run: &mut Interpreter, path: &Path) -> Result<(), Halt> {
     let outcome = match path.measure {
         Some(measure) => {
             let feed = timed(run, path, feed, &Route::straight(Mcs(from), Mcs(to)));
-            uncompensated(run, path).and_then(|()| measured(run, path, measure, to, feed))
+            let done = uncompensated(run, path).and_then(|()| measured(run, path, measure, to, feed));
+            ends(run, path, [from, to], None);
+            done
         }
         None => match rounded::corner(run, path, [from, to]) {
             Some(corner) => return with_corner(run, path, [from, to], &corner, feed),
@@ -64,24 +66,46 @@ pub fn position_axis(run: &mut Interpreter, address: &Address) -> Result<(), Hal
     let motion = std::mem::replace(&mut run.modal.motion, Motion::Rapid);
     let gone = contour::leave(run).and_then(|()| go(run, &path));
     run.modal.motion = motion;
+    run.tangent = None;
     gone
 }
 
 /// Straight, or round an axis, with the tool on the path or beside it.
 fn driven(run: &mut Interpreter, path: &Path, [from, to]: [[f64; 3]; 2], feed: f64) -> Result<(), Halt> {
-    let way = match run.modal.motion {
-        motion if motion.is_straight() => {
+    let no_arc = || Problem::new("run-arc", path.span, "");
+    let arc = match run.modal.motion {
+        motion if motion.is_straight() => None,
+        Motion::Tangential => tangential(run, path, from, to)?,
+        Motion::Through => Some(through(run, path, from, to).ok_or_else(no_arc)?),
+        _ => Some(in_plane(run, path, from, to).ok_or_else(no_arc)?),
+    };
+    let way = match arc {
+        Some((to, around)) => around_axis(run, path, [from, to], around).ok_or_else(no_arc)?,
+        None => {
             let from = match path.suppress {
                 Suppress::Nothing => contour::stands(run),
                 _ => run.sim.position,
             };
             Route::straight(from, machine(run, path.suppress, to))
         }
-        Motion::Through => around(run, path, from, through(run, path, from, to))?,
-        _ => around(run, path, from, in_plane(run, path, from, to))?,
     };
     let feed = timed(run, path, feed, &way);
-    along(run, path, way, feed)
+    along(run, path, way, feed)?;
+    ends(run, path, [from, to], arc);
+    Ok(())
+}
+
+/// Keeps the direction in which a motion ended; what did not move changes nothing.
+fn ends(run: &mut Interpreter, path: &Path, [from, to]: [[f64; 3]; 2], arc: Option<InPlane>) {
+    let direction = match arc {
+        Some((to, around)) => around.leaves(from, to),
+        None => V3::from(to) - V3::from(from),
+    };
+    if path.suppress != Suppress::Nothing {
+        run.tangent = None;
+    } else if direction.norm() > STILL {
+        run.tangent = Some(direction.into());
+    }
 }
 
 /// The feed on a way, mm/min: where F tells the time of the block, the way in that time.
@@ -113,6 +137,7 @@ fn with_corner(
     let own = own.map(|own| in_minutes(run, own * run.sim.control.data_factor(), to));
     along(run, path, Route { from: begin, to: end, around: seen }, own.unwrap_or(feed))?;
     run.programmed = (nose(run), Wcs(to));
+    run.tangent = None; // what goes on behind a corner is a line
     Ok(())
 }
 
@@ -161,9 +186,13 @@ pub fn standing(sim: &Sim) -> (Mcs, Wcs) {
 /// From where incremental positions count: the programmed end of the last motion, also where a frame or tool has
 /// changed since (SD 42440, SD 42442 as delivered); where something else moved the axes, their position.
 fn incremental_base(run: &Interpreter, suppress: Suppress, from: [f64; 3]) -> [f64; 3] {
-    let (stood, end) = run.programmed;
-    let stays = (nose(run) - stood).iter().all(|way| way.abs() < STILL);
-    if suppress == Suppress::Nothing && stays { end.0 } else { from }
+    let end = run.programmed.1;
+    if suppress == Suppress::Nothing && is_where_it_went(run) { end.0 } else { from }
+}
+
+/// Whether the axes stand where the last motion of the program left them: nothing else has moved them since.
+fn is_where_it_went(run: &Interpreter) -> bool {
+    (nose(run) - run.programmed.0).iter().all(|way| way.abs() < STILL)
 }
 
 /// mm/min, 0 where there is none; with a constant cutting speed that at the target.
@@ -250,17 +279,13 @@ fn machine(run: &Interpreter, suppress: Suppress, point: [f64; 3]) -> Mcs {
     }
 }
 
-/// The way round an axis to a target, both in the coordinates of the block; none: they make no arc.
-fn around(
-    run: &Interpreter,
-    path: &Path,
-    from: [f64; 3],
-    arc: Option<([f64; 3], Around<[f64; 3]>)>,
-) -> Result<Route, Problem> {
+/// A target and the way there round an axis, both in the coordinates of the block.
+type InPlane = ([f64; 3], Around<[f64; 3]>);
+
+/// Such a way in the machine; none: it is no circle there.
+fn around_axis(run: &Interpreter, path: &Path, [from, to]: [[f64; 3]; 2], around: Around<[f64; 3]>) -> Option<Route> {
     let seen = |point| machine(run, path.suppress, point);
-    let way =
-        arc.and_then(|(to, around)| Some(Route { from: seen(from), to: seen(to), around: Some(around.mapped(seen)?) }));
-    way.ok_or_else(|| Problem::new("run-arc", path.span, ""))
+    Some(Route { from: seen(from), to: seen(to), around: Some(around.mapped(seen)?) })
 }
 
 /// `MEAS=1 G1 X100`, on NCT `G31 X100`: stops at the signal; `$AC_MEA`, `$AA_MW`, `$AA_MM` tell where (B:12790-12856),
@@ -298,20 +323,38 @@ fn measured(run: &mut Interpreter, path: &Path, measure: Measure, to: [f64; 3], 
 }
 
 /// CIP: the target, and the way there.
-fn through(run: &Interpreter, path: &Path, from: [f64; 3], to: [f64; 3]) -> Option<([f64; 3], Around<[f64; 3]>)> {
+fn through(run: &Interpreter, path: &Path, from: [f64; 3], to: [f64; 3]) -> Option<InPlane> {
     let middle = std::array::from_fn(|i| target(run, from[i], from[i], path.middle[i], i));
     Some((to, arc::through(from, middle, to)?))
 }
 
 /// An arc or a helix in the working plane: the target, which an opening angle may tell, and the way there.
-fn in_plane(run: &Interpreter, path: &Path, from: [f64; 3], to: [f64; 3]) -> Option<([f64; 3], Around<[f64; 3]>)> {
+fn in_plane(run: &Interpreter, path: &Path, from: [f64; 3], to: [f64; 3]) -> Option<InPlane> {
+    Some(placed(run, arc(run, path, from, to)?, from, to))
+}
+
+/// CT: an arc or a helix that goes on in the plane as the last motion ended there; none: straight on. Where nothing
+/// moved before, or something else has moved since, or only across the plane, nobody knows how. A new frame takes the
+/// direction with it (Fundamentals, circle with tangential transition).
+fn tangential(run: &Interpreter, path: &Path, from: [f64; 3], to: [f64; 3]) -> Result<Option<InPlane>, Problem> {
+    let [a, o, _] = run.sim.control.plane.axes();
+    let known = run.tangent.filter(|_| path.suppress == Suppress::Nothing && is_where_it_went(run));
+    let seen = known.map(|tangent| [tangent[a], tangent[o]]).filter(|[x, y]| x.hypot(*y) > STILL);
+    let tangent = seen.ok_or_else(|| Problem::new("run-not-simulated", path.span, "CT"))?;
+    let found = Arc::tangential(tangent, [from[a], from[o]], [to[a], to[o]]);
+    let found = found.filter(|arc| arc.is_some() || path.turns == 0.0);
+    let arc = found.ok_or_else(|| Problem::new("run-arc", path.span, ""))?;
+    Ok(arc.map(|arc| placed(run, arc.with_turns(path.turns), from, to)))
+}
+
+/// An arc of the plane in space.
+fn placed(run: &Interpreter, arc: Arc, from: [f64; 3], to: [f64; 3]) -> InPlane {
     let [a, o, p] = run.sim.control.plane.axes();
-    let arc = arc(run, path, from, to)?;
     let (mut centre, mut axis, mut end) = (from, Dir::default(), to);
     [centre[a], centre[o]] = arc.centre;
     [end[a], end[o]] = arc.end;
     axis[p] = 1.0;
-    Some((end, Around { centre, axis, degrees: Degrees::of(arc.sweep) }))
+    (end, Around { centre, axis, degrees: Degrees::of(arc.sweep) })
 }
 
 /// The arc in the plane: with a radius or an opening angle, else about a centre.

@@ -24,7 +24,7 @@ const NO_FRAME: [&str; 5] = ["CTRANS", "CROT", "CFINE", "CSCALE", "CMIRROR"];
 pub fn key(run: &Interpreter, place: Span, index: &[ExprId]) -> Result<String, Problem> {
     let name = run.program.name(place);
     if index.is_empty() {
-        return Ok(macro_variables::canonical(name));
+        return Ok(name);
     }
     let mut parts = Vec::new();
     for id in index {

@@ -1,8 +1,8 @@
 //! One block: words in order (assignments act at once), then functions, motion and calls together.
 
 use super::{
-    Datum, Halt, Interpreter, Measure, Next, Path, action, branch, contour, declare, declare::Declaring, evaluate,
-    expression, indexed, locals, names, noted, of_control, plain, repeat, synchronous, tool_memory, unread,
+    Datum, Halt, Interpreter, Measure, Next, Path, action, back, branch, contour, declare, declare::Declaring,
+    evaluate, expression, indexed, locals, names, noted, of_control, plain, repeat, synchronous, tool_memory, unread,
 };
 use crate::diagnostic::{Severity, Span};
 use crate::problem::Problem;
@@ -92,7 +92,7 @@ pub struct Words {
     /// Value of FOR's variable.
     pub counter: Option<f64>,
     /// RET ends the program.
-    pub leaves: bool,
+    pub leaves: Option<back::Back>,
     /// A word of the block could not be read.
     pub unread: bool,
 }
@@ -320,7 +320,7 @@ fn keyword(run: &mut Interpreter, place: Span, value: Option<ExprId>, found: &mu
         "DEFAULT" => found.armed = Some(true),
         "WHILE" | "FOR" | "LOOP" | "UNTIL" | "ENDWHILE" | "ENDFOR" | "ENDLOOP" | "ELSE" | "ENDIF" | "TO" | "END"
         | "REPEAT" | "DO" => return branch::structure(run, place, value, found),
-        "RET" => found.leaves = true,
+        "RET" => found.leaves = Some(back::written(run, place, value)?),
         _ => found.declaring.take(run, &name, value)?,
     }
     Ok(true)

@@ -21,6 +21,8 @@ pub struct Level {
     pub locals: Locals,
     /// How many values they hold together.
     pub elements: usize,
+    /// Which parameters the call gives (`$P_SUBPAR[1]`).
+    pub given: Vec<bool>,
     pub blocks: Range<usize>,
     /// Block of the call.
     pub call: usize,
@@ -142,9 +144,10 @@ pub fn enter(run: &mut Interpreter, at: usize, call: &Call, unit: &Unit, passes:
         limits::elements(run, elements, call.span)?;
         bound.insert(name, local);
     }
-    let blocks = unit.blocks.clone();
+    let given = (0..parameters.len()).map(|i| call.arg(i).is_some()).collect();
+    let (locals, blocks, left) = (bound, unit.blocks.clone(), passes - 1);
     run.sim.files.begin(unit.file.as_deref());
-    run.levels.push(Level { locals: bound, elements, blocks, call: at, left: passes - 1, saved, ..Level::default() });
+    run.levels.push(Level { locals, elements, given, blocks, call: at, left, saved, ..Level::default() });
     Ok(Next::Jump(unit.blocks.start))
 }
 
@@ -161,15 +164,21 @@ pub fn leave(run: &mut Interpreter) -> Next {
         }
         return Next::Jump(level.blocks.start);
     }
-    let Some(level) = run.levels.pop() else { return Next::End };
+    let Some(level) = close(run) else { return Next::End };
+    Next::Jump(if level.again { level.call } else { repeat::after(run, level.call) })
+}
+
+/// Ends the present program, whatever passes are to come; what it saved is active again.
+pub fn close(run: &mut Interpreter) -> Option<Level> {
+    let mut level = run.levels.pop()?;
     run.sim.files.end();
-    if let Some(saved) = level.saved {
+    if let Some(saved) = level.saved.take() {
         restore(run, *saved);
     }
-    if let (Variables::Caller, Some(caller)) = (level.variables, run.levels.last_mut()) {
-        caller.locals = level.locals;
+    if let (Variables::Caller, Some(caller)) = (&level.variables, run.levels.last_mut()) {
+        caller.locals = std::mem::take(&mut level.locals);
     }
-    Next::Jump(if level.again { level.call } else { repeat::after(run, level.call) })
+    Some(level)
 }
 
 /// A parameter of a `PROC`.

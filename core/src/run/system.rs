@@ -156,6 +156,7 @@ fn state(run: &Interpreter, key: &str) -> Option<f64> {
         "$P_F" => run.modal.feed,
         "$P_S" => run.modal.speed,
         "$P_GG" => group(run, key)?,
+        "$P_SUBPAR" => f64::from(u8::from(given(run, key)?)),
         _ if MASKS.contains(&key) => mask(run, key),
         "$MN_SCALING_SYSTEM_IS_METRIC" => f64::from(u8::from(control.basic_units == Units::Metric)),
         _ => control.number(machine_data::setting(key)?),
@@ -167,6 +168,12 @@ fn total(run: &Interpreter, key: &str) -> Option<f64> {
     let (stem, index) = (stem(key), indices(key));
     let [axis, part] = index[..] else { return None };
     Some(component(&together(run, stem)?, axis, part)? / names::variable_factor(run, key))
+}
+
+/// Whether the call of the present program gives its parameter with this number; none: there is no call or no such one.
+fn given(run: &Interpreter, key: &str) -> Option<bool> {
+    let number: usize = indices(key).first()?.parse().ok()?;
+    run.levels.last()?.given.get(number.checked_sub(1)?).copied()
 }
 
 /// Bits of the basic frames in the chain; where the mask was never set, of all that exist.
@@ -187,7 +194,11 @@ fn mask(run: &Interpreter, key: &str) -> f64 {
 fn group(run: &Interpreter, key: &str) -> Option<f64> {
     let control = &run.sim.control;
     let place = match *indices(key).first()? {
-        "1" if run.modal.motion != Motion::Spline => run.modal.motion as usize,
+        "1" => match run.modal.motion {
+            Motion::Spline => return None,
+            Motion::Tangential => 14, // the fifteenth (Fundamentals 10.2004, 12.3)
+            motion => motion as usize,
+        },
         "6" => control.plane as usize,
         "7" => run.modal.compensation as usize,
         "8" => control.settable,

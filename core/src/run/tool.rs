@@ -1,7 +1,7 @@
 //! Tool change and edges: `T9 D1`, `M6`; NCT `G43 H98`. The spindle nose stays; a trace step tells the change.
 
 use super::{Address, Datum, Halt, Interpreter, Words, addresses, contour};
-use crate::control::Edge;
+use crate::control::{Edge, Value};
 use crate::diagnostic::Span;
 use crate::machine::Step;
 use crate::problem::Problem;
@@ -40,8 +40,10 @@ pub fn sinumerik(run: &mut Interpreter, found: &Words) -> Result<(), Problem> {
     }
     if let Some(address) = last(found, "D") {
         let edge = address.value.number().ok_or_else(|| Problem::new("run-not-a-number", address.span, "D"))? as i64;
+        // in a block of its own D acts on the tool in use, whatever is preselected (function manual W1 11/2006, 2.1.1)
+        let of_next = last(found, "T").is_some() || found.function("M", 6.0).is_some();
         match run.modal.prepared {
-            Some(tool) if tool != run.sim.control.tool => run.modal.waiting_edge = Some(edge),
+            Some(tool) if of_next && tool != run.sim.control.tool => run.modal.waiting_edge = Some(edge),
             _ => select(run, run.sim.control.tool, edge, address)?,
         }
     }
@@ -51,12 +53,21 @@ pub fn sinumerik(run: &mut Interpreter, found: &Words) -> Result<(), Problem> {
     if let Some(address) = found.function("M", 6.0).or_else(|| turret(run, found))
         && let Some(tool) = run.modal.prepared.take()
     {
-        // after a change D1 is active where no D was programmed
-        let edge = if tool == run.sim.control.tool { run.sim.control.edge } else { 1 };
+        let edge = if tool == run.sim.control.tool { run.sim.control.edge } else { behind_change(run) };
         let edge = run.modal.waiting_edge.take().unwrap_or(edge);
         select(run, tool, edge, address)?;
     }
     Ok(())
+}
+
+/// The edge after a change where no D was programmed with it: the number in MD 20270 ($MC_CUTTING_EDGE_DEFAULT), with -1
+/// that of the tool before (function manual W1 11/2006, 2.1.1); D1 where the machine does not say.
+fn behind_change(run: &Interpreter) -> i64 {
+    match run.sim.control.data.get("MD20270") {
+        Some(Value::Number(number)) if *number == -1.0 => run.sim.control.edge,
+        Some(Value::Number(number)) => *number as i64,
+        _ => 1,
+    }
 }
 
 /// The T with which a turret turns at once, without M6: that of a turning tool, and any of a turning machine.

@@ -9,6 +9,7 @@ use crate::diagnostic::{Diagnostic, Span};
 use crate::dialect::Dialect;
 use crate::entry::{Cycle, Typed};
 use crate::message::printable;
+use crate::name::numbered;
 use crate::problem::Problem;
 use crate::program::not_understood;
 use crate::syntax::{Program, tree::Word, tree::WordKind};
@@ -115,11 +116,11 @@ fn target(dialect: Dialect, text: &str) -> Option<String> {
     if !assigns || name.is_empty() {
         return None;
     }
-    let Some(index) = index else { return Some(name.to_owned()) };
+    let Some(index) = index else { return Some(numbered(name.to_owned())) };
     let index: String = index.chars().filter(|one| !one.is_whitespace()).collect();
     let number = index.chars().all(|one| one.is_ascii_digit() || one == ',');
     Some(match (name, number) {
-        ("R" | "#", true) => format!("{name}{index}"),
+        ("R" | "#", true) => numbered(format!("{name}{index}")),
         (_, true) => format!("{name}[{index}]"),
         _ => name.to_owned(),
     })

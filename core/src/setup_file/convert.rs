@@ -6,6 +6,7 @@ use crate::dialect::Dialect;
 use crate::geometry::Mcs;
 use crate::machine::{Clock, Setup};
 use crate::message::printable;
+use crate::name::numbered;
 use crate::refused::{Path, Refused};
 use crate::series::draw::known;
 use crate::syntax::definitions::definitions;
@@ -40,7 +41,7 @@ pub fn setup(file: SetupFile) -> Result<Setup, Refused> {
     control.environments.extend(file.environments);
     control.definitions = defined(&file.definitions)?;
     for (name, value) in file.data {
-        control.data.insert(name, value);
+        control.data.insert(numbered(name), value);
     }
     of_nct(&control)?;
     control.take_setting_data();

@@ -11,6 +11,8 @@ pub(super) enum Keyword {
     Target,
     /// A target may follow: `REPEAT`, `REPEATB`.
     Repeat,
+    /// A list may follow: `RET`.
+    Return,
     For,
     Of,
     /// `DEF`, `REDEF`.
@@ -33,11 +35,12 @@ pub(super) fn find(name: &[u8]) -> Option<Keyword> {
     upper.copy_from_slice(name);
     upper.make_ascii_uppercase();
     Some(match &*upper {
-        b"ELSE" | b"ENDIF" | b"ENDWHILE" | b"ENDFOR" | b"LOOP" | b"ENDLOOP" | b"DEFAULT" | b"RET" | b"ENDPROC"
-        | b"DO" | b"ENDLABEL" => Keyword::Alone,
+        b"ELSE" | b"ENDIF" | b"ENDWHILE" | b"ENDFOR" | b"LOOP" | b"ENDLOOP" | b"DEFAULT" | b"ENDPROC" | b"DO"
+        | b"ENDLABEL" => Keyword::Alone,
         b"IF" | b"WHILE" | b"UNTIL" | b"TO" | b"CASE" | b"WHEN" | b"WHENEVER" | b"EVERY" | b"FROM" => Keyword::Value,
         b"GOTO" | b"GOTOF" | b"GOTOB" | b"GOTOC" => Keyword::Target,
         b"REPEAT" | b"REPEATB" => Keyword::Repeat,
+        b"RET" => Keyword::Return,
         b"FOR" => Keyword::For,
         b"OF" => Keyword::Of,
         b"DEF" | b"REDEF" => Keyword::Definition,

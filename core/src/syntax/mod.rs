@@ -15,7 +15,7 @@ pub mod links;
 pub mod macros;
 mod nct;
 mod nct_expression;
-mod number;
+pub(crate) mod number;
 mod pieces;
 pub mod plain;
 pub mod position;

@@ -60,6 +60,16 @@ pub(super) fn with_exponent(text: &[u8]) -> Option<(f64, usize)> {
     value.is_finite().then_some((value, end))
 }
 
+/// The number that a whole text says as a program writes it, with sign and exponent: `-1.5EX2`; blanks around it count
+/// for nothing. None: it is another text.
+pub(crate) fn of_text(text: &str) -> Option<f64> {
+    let text = text.trim();
+    let digits = text.strip_prefix(['+', '-']).unwrap_or(text);
+    let (value, length) = with_exponent(digits.as_bytes())?;
+    let value = if text.starts_with('-') { -value } else { value };
+    (length == digits.len()).then_some(value)
+}
+
 /// Reads `'H7F'`, `'B101'` or `'D12'`; value and length, quotes included.
 pub(super) fn quoted(text: &[u8]) -> Option<(f64, usize)> {
     let length = text.iter().skip(1).position(|byte| *byte == b'\'')?;
@@ -89,6 +99,30 @@ mod tests {
         assert_eq!(decimal(b"10Y20"), Some((10.0, 2)));
         assert_eq!(decimal(b"."), None);
         assert_eq!(decimal("9".repeat(400).as_bytes()), None);
+    }
+
+    // oracle: hand (`1234.9876Ex-7` is the tester's own; as EX in a program; 1e5 is no number of the language)
+    #[test]
+    fn texts_say_numbers_as_programs_do() {
+        for (text, number) in [
+            ("1234.9876Ex-7", Some(1234.9876e-7)),
+            ("1.5EX2", Some(150.0)),
+            ("1.5ex+2", Some(150.0)),
+            (" -2EX1 ", Some(-20.0)),
+            ("+.5", Some(0.5)),
+            ("-7", Some(-7.0)),
+            ("", None),
+            ("-", None),
+            ("--1", None),
+            ("1EX", None),
+            ("1.5EX2A", None),
+            ("1e5", None),
+            ("inf", None),
+            ("NAN", None),
+            ("1 2", None),
+        ] {
+            assert_eq!(of_text(text), number, "{text}");
+        }
     }
 
     // oracle: hand

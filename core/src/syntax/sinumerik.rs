@@ -262,11 +262,13 @@ fn keyword_word(reader: &mut Reader, start: usize, name: Span, kind: Keyword) ->
     let behind = reader.at;
     reader.blanks();
     let more = !reader.done() && reader.byte(0) != b';';
+    let opens = reader.byte(0) == b'(';
     reader.at = behind;
     let value = match kind {
         Keyword::Value => Some(expression(reader, 0)?.id),
         Keyword::Target => Some(target(reader)?),
         Keyword::Repeat if more => Some(target(reader)?),
+        Keyword::Return if opens => Some(arguments(reader)?),
         Keyword::Operator => return Err(&own::SYNTAX_OPERATOR),
         _ => None,
     };
@@ -278,6 +280,15 @@ fn keyword_word(reader: &mut Reader, start: usize, name: Span, kind: Keyword) ->
         _ => reader.expect,
     };
     reader.word(start, WordKind::Keyword { name, value })
+}
+
+/// The list in brackets behind `RET`.
+fn arguments(reader: &mut Reader) -> Parsed<ExprId> {
+    reader.blanks();
+    let start = reader.at;
+    reader.at += 1;
+    let (items, height) = list(reader, b')')?;
+    Ok(reader.push(start, Expr::List(items), height + 1)?.id)
 }
 
 /// Where a jump or a repetition leads: what gives a label or a number, or the number of a main block as that is

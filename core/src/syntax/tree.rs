@@ -6,6 +6,7 @@ use super::programs::Unit;
 use crate::control::definitions::Macros;
 use crate::diagnostic::Span;
 use crate::dialect::Dialect;
+use crate::name::numbered;
 use crate::own::Own;
 use std::ops::Range;
 use std::sync::Arc;
@@ -52,10 +53,10 @@ impl Program {
         self.text(span).eq_ignore_ascii_case(name.as_bytes())
     }
 
-    /// Name at a place in upper case.
+    /// Name at a place as it is compared: in upper case, of a variable without leading zeroes (`R01` is `R1`).
     pub fn name(&self, span: Span) -> String {
         let name = self.text(span).to_ascii_uppercase();
-        String::from_utf8(name).unwrap_or_else(|other| String::from_utf8_lossy(other.as_bytes()).into_owned())
+        numbered(String::from_utf8(name).unwrap_or_else(|other| String::from_utf8_lossy(other.as_bytes()).into_owned()))
     }
 
     /// Text at a place as it is written.

@@ -47,6 +47,47 @@ fn arcs_keep_to_their_circle() {
     assert_eq!(fault("G2 X20 Y0 I10 J0 TURN=1000 F100"), "run-range");
 }
 
+// oracle: hand (from X10 along X or Z, a circle of 10; a spline or an arc before has its own tangent)
+#[test]
+fn a_tangent_and_an_end_give_an_arc() {
+    let round = |text: &str, [x, y]: [f64; 2]| {
+        let found: Vec<_> = points(text).into_iter().filter(|[at, ..]| *at > 10.0 + 1e-9).collect();
+        assert!(found.len() > 5, "{text}");
+        for [at, up, _] in found {
+            near((at - x).hypot(up - y), 10.0, text);
+        }
+    };
+    for (text, centre, end) in [
+        ("G1 X10 F100\nCT X20 Y10", [10.0, 10.0], [20.0, 10.0, 0.0]),
+        ("G1 X10 F100\nCT X20 Y-10", [10.0, -10.0], [20.0, -10.0, 0.0]),
+        ("G0 X10\nCT X20 Y10 F100\nM8\nX10 Y20", [10.0, 10.0], [10.0, 20.0, 0.0]),
+        ("G1 X10 F100\nCT X20 Y10 Z5", [10.0, 10.0], [20.0, 10.0, 5.0]),
+        ("G1 X10 F100\nG91 CT X10 Y10", [10.0, 10.0], [20.0, 10.0, 0.0]),
+        ("G1 X10 F100\nX10\nTRANS X5 Y5\nCT X15 Y5", [10.0, 10.0], [20.0, 10.0, 0.0]),
+        ("G3 X10 Y10 I0 J10 F100\nCT X20 Y20", [20.0, 10.0], [20.0, 20.0, 0.0]),
+    ] {
+        round(text, centre);
+        at(text, end);
+    }
+    // a new frame takes the direction with it
+    at("G1 X10 F100\nROT Z90\nCT X10 Y0 F100\nROT", [0.0, 10.0, 0.0]);
+    for [x, y, _] in points("G1 X10 F100\nROT Z90\nCT X10 Y0").into_iter().filter(|[_, y, _]| *y > 0.0) {
+        near(x.hypot(y), 10.0, "ROT");
+    }
+    at("G18\nG0 X0 Y0 Z0\nG1 Z10 F100\nCT Z20 X10\nG1 X12", [12.0, 0.0, 20.0]);
+    at("G1 X10 F100\nCT X30\nX40", [40.0, 0.0, 0.0]);
+    assert!(points("G1 X10 F100\nCT X30\nX40").iter().all(|[_, y, _]| y.abs() < 1e-9), "straight on");
+    assert_eq!(number("G1 X10 F100\nCT X20 Y10\nR1=$P_GG[1]\nG1 X0 Y0\nR2=$P_GG[1]\nR1=R1+R2/10", "R1"), 15.2);
+    for text in
+        ["CT X10 Y10 F100", "G1 Z10 F100\nCT X10 Y5", "G1 X10 F100\nPOS[Y]=5\nCT X20 Y9", "SUPA G0 X5\nCT X9 Y9 F100"]
+    {
+        assert_eq!(fault(text), "run-not-simulated", "{text}");
+    }
+    for text in ["G1 X10 F100\nCT X0", "G1 X10 F100\nCT X20 TURN=1"] {
+        assert_eq!(fault(text), "run-arc", "{text}");
+    }
+}
+
 // oracle: hand
 #[test]
 fn arcs_stand_in_the_working_plane() {

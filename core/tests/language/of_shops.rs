@@ -58,7 +58,7 @@ fn a_program_starts_itself_again() {
     assert_eq!(findings("R1=R1+1\nGOTOS"), ["run-restart"]);
 }
 
-// oracle: hand
+// oracle: hand; of arrays the programs of a tester, from the examples of ISVAR in Job planning
 #[test]
 fn a_program_asks_what_there_is() {
     for (question, answer) in [
@@ -69,12 +69,34 @@ fn a_program_asks_what_there_is() {
         ("ISVAR(\"_OVR[0]\")", 1.0),
         ("ISVAR(\"NOBODY\")", 0.0),
         ("ISVAR(\"$MC_GCODE_RESET_VALUES[7]\")", 1.0),
+        // an index that is left out, in whole or in part; a bracket that is not closed
+        ("ISVAR(\"OWN[]\")", 1.0),
+        ("ISVAR(\"OWN[,]\")", 0.0),
+        ("ISVAR(\"OWN[1\")", 0.0),
+        ("ISVAR(\"OWN1]\")", 0.0),
+        ("ISVAR(\"FIELD\")", 1.0),
+        ("ISVAR(\"FIELD[,]\")", 1.0),
+        ("ISVAR(\"field[2, ]\")", 1.0),
+        ("ISVAR(\"FIELD[,3]\")", 1.0),
+        ("ISVAR(\"FIELD[3,]\")", 0.0),
+        ("ISVAR(\"FIELD[,4]\")", 0.0),
+        ("ISVAR(\"FIELD[2,3]\")", 1.0),
+        ("ISVAR(\"FIELD[2,4]\")", 0.0),
+        ("ISVAR(\"FIELD[1,1\")", 0.0),
+        ("ISVAR(\"_OVR\")", 1.0),
+        ("ISVAR(\"_OVR[]\")", 1.0),
+        ("ISVAR(\"_OVR[0\")", 0.0),
+        ("ISVAR(\"_WP[,]\")", 1.0),
+        ("ISVAR(\"_MVAR\")", 1.0),
+        ("ISVAR(\"_MVAR[]\")", 0.0),
+        ("ISVAR(\"R[]\")", 1.0),
+        ("ISVAR(\"NOBODY[]\")", 0.0),
         ("ISAXIS(2)", 1.0),
         ("ISAXIS(7)", 0.0),
         ("ISFILE(\"NOBODY\")", 0.0),
         ("SPRINT(\"%5.1F\",2)==\"  2.0\"", 1.0),
     ] {
-        assert_eq!(number(&format!("DEF INT OWN[2]\nR9=({question})"), "R9"), answer, "{question}");
+        assert_eq!(number(&format!("DEF INT OWN[2]\nDEF INT FIELD[3,4]\nR9=({question})"), "R9"), answer, "{question}");
     }
     assert_eq!(number("R1=5\nIF R1==4 GOTOF A ELSE GOTOF B\nA: R2=1\nM30\nB: R2=2", "R2"), 2.0);
     assert_eq!(number("R1=4\nIF R1==4 GOTOF A ELSE GOTOF B\nA: R2=1\nM30\nB: R2=2", "R2"), 1.0);

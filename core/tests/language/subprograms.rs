@@ -23,6 +23,67 @@ fn omitted_arguments_have_their_default() {
     assert_eq!(number(text, "R1"), 1034.0);
 }
 
+// oracle: manual (Job planning, system variables: whether the call programs parameter n of the subprogram)
+#[test]
+fn a_program_asks_which_parameters_its_call_gives() {
+    let part = "M30\n%_N_PART_SPF\nPROC PART(REAL A,VAR REAL B,REAL C=4)\n\
+        R1=100*$P_SUBPAR[1]+10*$P_SUBPAR[2]+$P_SUBPAR[3]\nIF NOT $P_SUBPAR[1] AND (R9==0)\nR9=1\nPART(1)\nENDIF\nR2=R1\nRET";
+    for (call, given) in [("PART(1,R5,0)", 111.0), ("PART(0)", 100.0), ("R9=1\nPART(,R5)", 10.0), ("R9=1\nPART", 0.0)] {
+        assert_eq!(number(&format!("{call}\n{part}"), "R2"), given, "{call}");
+    }
+    // each level its own
+    assert_eq!(number(&format!("PART(,,5)\n{part}").replace("R2=R1", "R2=$P_SUBPAR[3]"), "R2"), 1.0);
+}
+
+/// A program with these blocks, and one that it calls.
+fn with_return(main: &str, back: &str) -> String {
+    format!("{main}\nM30\n%_N_BACK_SPF\nPROC BACK\n{back}\n")
+}
+
+// oracle: manual (Job planning, parameterizable subprogram return: the label is looked for behind the call, then before
+// it; with the second parameter behind it; the third counts program levels)
+#[test]
+fn a_program_goes_back_to_a_label_of_its_caller() {
+    let there = "BACK\nR1=R1+1\nN50 THERE: R1=R1+10\nR1=R1+100";
+    for (main, back, expected) in [
+        (there, "RET", 111.0),
+        (there, "RET()", 111.0),
+        (there, "RET(\"THERE\")", 110.0),
+        (there, "ret (\"there\")", 110.0),
+        (there, "RET(\"N50\")", 110.0),
+        (there, "RET(\"TH\"<<\"ERE\",0)", 110.0),
+        (there, "RET(\"THERE\",1)", 100.0),
+        (there, "IF R1==0\nRET(\"THERE\",,1)\nENDIF\nR1=7", 110.0),
+        ("THERE: R1=R1+1\nIF R1>2 GOTOF DONE\nBACK\nDONE:", "RET(\"THERE\")", 3.0),
+        ("GOTOF GO\nTHERE: R1=1\nM30\nGO: BACK\nM30\nTHERE: R1=2", "RET(\"THERE\")", 2.0),
+        ("BACK P3\nR1=R1+1\nTHERE:", "R1=R1+5\nRET(\"THERE\")", 5.0),
+        ("PART: BACK\nREPEATB PART P=2\nR1=R1+1", "R1=R1+10\nRET(,,1)", 31.0),
+    ] {
+        assert_eq!(number(&with_return(main, back), "R1"), expected, "{main} {back}");
+    }
+    let outer = "OUTER\nR1=R1+1\nTHERE: R1=R1+10";
+    for (back, expected) in [
+        ("RET", 1011.0),
+        ("RET(,,1)", 1011.0),
+        ("RET(,,2)", 11.0),
+        ("RET(\"THERE\",,2)", 10.0),
+        ("RET(\"HERE\")", 5011.0),
+    ] {
+        let text = with_return(outer, back) + "%_N_OUTER_SPF\nBACK\nR1=R1+1000\nRET\nHERE: R1=5000\nRET";
+        assert_eq!(number(&text, "R1"), expected, "{back}");
+    }
+    for (back, key) in [
+        ("RET(\"NOWHERE\")", "run-label"),
+        ("RET(,,2)", "run-range"),
+        ("RET(,,0)", "run-range"),
+        ("RET(,,,1)", "run-not-simulated"),
+        ("RET(,,,,1)", "run-function"),
+        ("RET(,\"A\")", "run-not-a-number"),
+    ] {
+        assert_eq!(fault(&with_return(there, back)), key, "{back}");
+    }
+}
+
 // oracle: hand
 #[test]
 fn variables_belong_to_their_program() {

@@ -149,6 +149,10 @@ fn texts_are_joined_and_searched() {
         ("MATCH(\"CONTENT\",\"TENT\")", 3.0),
         ("NUMBER(\"-1.5\")", -1.5),
         ("ISNUMBER(\"1A\")", 0.0),
+        ("ISNUMBER(\"1234.9876Ex-7\")", 1.0),
+        ("NUMBER(\"1.5EX2\")", 150.0),
+        ("NUMBER(\"-2ex+1\")", -20.0),
+        ("ISNUMBER(\"1EX\")", 0.0),
         ("SUBSTR(\"CONTENT\",3,2)==\"TE\"", 1.0),
         ("SUBSTR(\"CONTENT\",4)==\"ENT\"", 1.0),
         ("TOUPPER(\"ab\")==\"AB\"", 1.0),
@@ -212,6 +216,23 @@ fn the_control_tells_about_itself() {
 fn names_do_not_know_upper_and_lower_case() {
     assert_eq!(number("DEF REAL lAyEr=2.5\nr1=LAYER*4\nR2=R1", "R2"), 10.0);
     assert_eq!(clean("def int i\nfor i=1 to 3\nr1=r1+i\nendfor").control.number("R1"), 6.0);
+}
+
+// oracle: manual (Fundamentals 10.2004, p. 2-15: leading zeroes are ignored in variables with numeric extensions)
+#[test]
+fn leading_zeroes_of_a_variable_are_ignored() {
+    for (text, expected) in [
+        ("R01=10 R02=20\nR03=R01+R02\nR4=R3", 30.0),
+        ("R1=5\nR4=R0001*2", 10.0),
+        ("R[03]=7\nR4=R03", 7.0),
+        ("R01=3\nIF R1==3\nR04=1\nENDIF", 1.0),
+        ("FOR R01=1 TO 3\nR4=R4+R1\nENDFOR", 6.0),
+        ("R1=1\nWAY(R01)\nR4=R1\nM30\n%_N_WAY_SPF\nPROC WAY(VAR REAL GIVEN)\nGIVEN=GIVEN+7\nRET", 8.0),
+        ("R04=ISVAR(\"R01\")", 1.0),
+        ("R00=4\nR4=R0", 4.0),
+    ] {
+        near(number(text, "R4"), expected, text);
+    }
 }
 
 // oracle: manual B:828, B:974-985 (L1 along the applicate; with 2 along the ordinate)

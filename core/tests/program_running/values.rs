@@ -1,6 +1,6 @@
 //! Tools and their data, expressions, arrays.
 
-use super::{clean, go, near, number};
+use super::{clean, clean_on, go, machine, near, number};
 use probewright_core::machine::Stop;
 use probewright_core::machine::trace::Step;
 
@@ -18,6 +18,29 @@ fn tools_change_with_m6() {
     near(outcome.position.0, [0.0, 0.0, 550.0]);
     let outcome = go("T77 M6");
     assert!(matches!(outcome.stop, Some(Stop::Fault(message)) if message.key == "run-no-tool"));
+}
+
+// oracle: manual (function manual W1 11/2006, 2.1.1: D1 to D9 activate an edge of the active tool; MD 20270 says the edge
+// after a change); the mill is 80 mm long, the probe 50
+#[test]
+fn an_edge_behind_a_preselected_tool_is_of_the_one_in_use() {
+    let tool_at = |text: &str| {
+        let outcome = clean(text);
+        ([outcome.control.tool, outcome.control.edge, outcome.control.number("R1") as i64], outcome.position.0[2])
+    };
+    assert_eq!(tool_at("T20\nM6\nG0 Z100\nT9\nSUPA G0 Z400 D0\nR1=$P_TOOL"), ([20, 0, 0], 400.0));
+    assert_eq!(tool_at("T20\nM6\nT9\nG0 SUPA Z400 D0\nM6\nR1=$P_TOOL\nZ100"), ([9, 1, 1], 100.0));
+    assert_eq!(tool_at("T20\nM6\nT9\nD2\nR1=$P_TOOL\nG0 Z100\nM6\nZ90"), ([9, 1, 2], 90.0));
+    for (datum, edge) in [(2.0, 2), (1.0, 1), (0.0, 0), (-1.0, 2)] {
+        let mut setup = machine();
+        setup.control.set("MD20270", datum);
+        setup.control.tools.insert(21, setup.control.tools[&20].clone());
+        let outcome = clean_on(&setup, "T20\nM6\nD2\nT21\nM6");
+        assert_eq!((outcome.control.tool, outcome.control.edge), (21, edge), "{datum}");
+    }
+    // with T, or with M6, it is of the one that comes
+    assert_eq!(tool_at("T9\nM6\nT20 D2\nR1=$P_TOOL\nM6\nG0 Z100"), ([20, 2, 1], 100.0));
+    assert_eq!(tool_at("T9\nM6\nT20\nR1=$P_TOOL\nD2 M6\nG0 Z100"), ([20, 2, 1], 100.0));
 }
 
 #[test]

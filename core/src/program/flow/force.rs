@@ -27,9 +27,14 @@ impl<'a> Forces<'a> {
         for word in words {
             self.tool(state, word, known);
         }
+        let of_next = words.iter().any(|word| self.is_tool(word) || self.program.machine_function(word) == Some(6.0));
         for word in words {
-            self.word(state, word, known);
+            self.word(state, word, known, of_next);
         }
+    }
+
+    fn is_tool(&self, word: &Word) -> bool {
+        matches!(&word.kind, WordKind::Address { name, .. } | WordKind::Assign { name, .. } if self.program.is(*name, "T"))
     }
 
     fn tool(&self, state: &mut State, word: &Word, known: Known) {
@@ -50,12 +55,12 @@ impl<'a> Forces<'a> {
         self.whole(value, known).map_or(Mode::Open, |number| Mode::Is(Tool::Number(number)))
     }
 
-    fn word(&self, state: &mut State, word: &Word, known: Known) {
+    fn word(&self, state: &mut State, word: &Word, known: Known, of_next: bool) {
         match &word.kind {
             WordKind::Address { name, value, extension, .. } => {
                 let number = |value| self.whole(value, known);
                 match self.program.text(*name) {
-                    b"D" | b"d" => state.correct(number(*value).map_or(Mode::Open, Mode::Is)),
+                    b"D" | b"d" => state.correct(number(*value).map_or(Mode::Open, Mode::Is), of_next),
                     b"G" | b"g" => number(*value).into_iter().for_each(|code| state.function(code, word.span)),
                     b"M" | b"m" if extension.is_none() => {
                         number(*value).into_iter().for_each(|code| state.machine(code));

@@ -116,9 +116,11 @@ impl State {
         }
     }
 
-    /// D: of the tool in use, and of the one that M6 brings.
-    pub fn correct(&mut self, edge: Mode<i64>) {
-        self.waiting.clone_from(&edge);
+    /// D: of the tool in use; in a block with T or M6 also of the one that M6 brings.
+    pub fn correct(&mut self, edge: Mode<i64>, of_next: bool) {
+        if of_next {
+            self.waiting.clone_from(&edge);
+        }
         self.edge = edge;
     }
 

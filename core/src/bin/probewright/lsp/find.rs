@@ -3,13 +3,14 @@
 
 use super::known::{Document, Known, name_around, touches};
 use probewright_core::diagnostic::Span;
+use probewright_core::name;
 use probewright_core::program::variables::assigned;
 use probewright_core::syntax::programs::{numbered, programs};
 use probewright_core::syntax::{Word, WordKind};
 
 /// Places of the joined text to which the name at a byte leads.
 pub fn definitions(document: &Document, known: &Known, at: u32) -> Vec<Span> {
-    let name = name_around(document.text.as_str(), at as usize).to_ascii_uppercase();
+    let name = name::numbered(name_around(document.text.as_str(), at as usize).to_ascii_uppercase());
     let word = known.word(at);
     if let Some(found) = word.and_then(|word| label(known, word, &name)) {
         return vec![found];
@@ -69,5 +70,5 @@ fn own(known: &Known, word: Option<&Word>, name: &str) -> Option<Span> {
     let word = word?;
     let WordKind::Assign { name: left, .. } = word.kind else { return None };
     let bare = name.split('[').next().unwrap_or(name);
-    (known.program.is(left, bare) && touches(word.span, left.start)).then_some(word.span)
+    (known.program.name(left) == bare && touches(word.span, left.start)).then_some(word.span)
 }
