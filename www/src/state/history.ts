@@ -5,7 +5,7 @@ import { difference } from "../difference";
 import { type Splice, splice } from "../eol";
 import { LONG } from "../pace";
 import type { Dialect } from "../wire";
-import type { History, Patch, State, Step, StepName } from "./state";
+import { type History, type Patch, patched, type State, type Step, type StepName } from "./state";
 import { work } from "./stored";
 
 /** Steps that are kept, and characters of different programs in them. */
@@ -56,6 +56,19 @@ const textsDiffer = ({ before, after }: Between): boolean =>
 const sameForm = ({ before, after }: Between): boolean =>
   before.form.cycle === after.form.cycle && before.form.control === after.form.control;
 
+/** What waits for a word in the call of the form. */
+const asksIn = ({ form: { control, open }, desk: { pending } }: State): string[] =>
+  pending.filter(one => one.control === control && one.at === open && one.asks).map(one => one.name);
+
+/** A question that nobody answers: the program keeps what it has. */
+function ofQuestion({ before, after }: Between): Told | null {
+  const { notice } = after.page;
+  const [field] = asksIn(before);
+  return field !== undefined && notice === "notice-kept" && !after.desk.pending.some(one => one.asks)
+    ? named("step-kept", { field, value: before.form.values[field] || "–" })
+    : null;
+}
+
 function ofFile({ before, after }: Between): Told | null {
   const { control } = after.form;
   const file = after.program.files[control];
@@ -75,6 +88,8 @@ function ofEditor(step: Between): Told | null {
   return step.inEditor && textsDiffer(step) ? { ...named("step-program", { line }), subject: `program ${line}` } : null;
 }
 
+const fieldSubject = (name: string): string => `field ${name}`;
+
 /** Of another task the form has the values it had; another call that is looked at is no step. */
 function ofForm(step: Between): Told | null {
   const [was, is] = [step.before.form, step.after.form];
@@ -84,7 +99,7 @@ function ofForm(step: Between): Told | null {
   const [field] = names;
   if (field === undefined) return null;
   if (names.length > 1) return named("step-values", { cycle: is.cycle });
-  return { ...named("step-field", { field, value: is.values[field] || "–" }), subject: `field ${field}` };
+  return { ...named("step-field", { field, value: is.values[field] || "–" }), subject: fieldSubject(field) };
 }
 
 /** What says itself what it does to the machine is called so. */
@@ -109,7 +124,7 @@ function ofRest(step: Between): Told | null {
 /** What was done between two states; none: nothing that could be undone. */
 export function toldStep(before: State, after: State, inEditor: boolean): Told | null {
   const step = { before, after, inEditor };
-  return ofFile(step) ?? ofPage(step) ?? ofEditor(step) ?? ofForm(step) ?? ofRest(step);
+  return ofFile(step) ?? ofQuestion(step) ?? ofPage(step) ?? ofEditor(step) ?? ofForm(step) ?? ofRest(step);
 }
 
 type Texts = State["program"]["texts"];
@@ -165,13 +180,31 @@ function bounded(steps: Step[]): Step[] {
   return steps.slice(first);
 }
 
+/** How a question is answered. */
+const ANSWERS = ["step-assign", "step-fix", "step-program"];
+
+/**
+ * What was typed last and waited for a word, with all that is typed there until it is answered and what comes of the
+ * answer: one step, however long that takes. null: it did not wait.
+ */
+function ofAsked(last: Step | undefined, told: Told, before: State, after: State): Told | null {
+  const field = asksIn(before).find(name => last?.subject === fieldSubject(name));
+  if (!last || field === undefined) return null;
+  if (told.subject === last.subject) return told;
+  if (told.subject || !ANSWERS.includes(told.name.key) || asksIn(after).includes(field)) return null;
+  return told.name.key === "step-program" ? { ...told, name: last.name } : told;
+}
+
 /** The history with a step more, or with the last step longer by it. */
 export function withStep(history: History, told: Told, before: State, after: State, at: number): History {
   const { texts } = after.program;
   const [rest, last] = [history.past.slice(0, -1), history.past.at(-1)];
-  const longer = last && told.subject && last.subject === told.subject && at - last.at < TOGETHER;
+  const asked = ofAsked(last, told, before, after);
+  const longer = last && (asked || (told.subject && last.subject === told.subject && at - last.at < TOGETHER));
   const began = longer ? whole(last, history.texts) : work(before);
-  const step = { ...told, at, ...held(began, texts) };
+  // what was typed and not done after all is no step
+  if (asked && !toldStep(patched(after, began), after, false)) return { past: rest, future: [], texts };
+  const step = { ...(asked ?? told), at, ...held(began, texts) };
   const done = last && !longer ? [standing(last, history.texts, before.program.texts)] : [];
   return { past: bounded([...rest, ...done, step]), future: [], texts };
 }
