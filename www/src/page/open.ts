@@ -87,10 +87,14 @@ async function openProgramFile(
  * what may be no program, which is told.
  */
 function tellDoubts(store: Store, { text, file: { name }, control }: Read): void {
-  if (!looksLikeProgram(text))
-    return refuse(store, "program", { key: "refused-no-blocks", args: { name }, taken: true });
-  if (!control || control === store.state.form.control) return;
-  refuse(store, "program", { key: "refused-other-control", args: { name, control: t(`control-${control}`) }, control });
+  const another = control && control !== store.state.form.control;
+  if (!looksLikeProgram(text)) refuse(store, "program", { key: "refused-no-blocks", args: { name }, taken: true });
+  else if (another)
+    refuse(store, "program", {
+      key: "refused-other-control",
+      args: { name, control: t(`control-${control}`) },
+      control,
+    });
 }
 
 /** One file is read as ever; of several the program is opened, and the others lie beside it. */

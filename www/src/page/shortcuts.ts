@@ -11,8 +11,9 @@ const TEXT = 'input:not([type="checkbox"], [type="range"], [type="file"]), texta
 
 /** Where a key keeps the meaning that it has there by itself. */
 const EXCEPT: Partial<Record<PageCommand, string>> = { undo: NO_WORK, redo: NO_WORK, keys: TEXT };
+const HISTORY: PageCommand[] = ["undo", "redo"];
 /** A dialog keeps the focus, and nothing changes behind it. */
-const NOT_BESIDE_DIALOG: PageCommand[] = ["undo", "redo", "next-panel", "previous-panel", "keys", "palette"];
+const NOT_BESIDE_DIALOG: PageCommand[] = [...HISTORY, "next-panel", "previous-panel", "keys", "palette"];
 /** What a key that is held down does once. */
 const ONCE: PageCommand[] = ["save", "open", "keys", "palette"];
 
@@ -26,7 +27,11 @@ export function listenToKeys(does: Record<PageCommand, () => void>, end: AbortSi
       const [target] = event.composedPath();
       const except = EXCEPT[command];
       if (except && target instanceof Element && target.matches(except)) return;
-      if (NOT_BESIDE_DIALOG.includes(command) && document.querySelector("dialog:modal")) return;
+      if (NOT_BESIDE_DIALOG.includes(command) && document.querySelector("dialog:modal")) {
+        // the browser would take back what was typed last, wherever that is
+        if (HISTORY.includes(command) && !(target instanceof Element && target.matches(TEXT))) event.preventDefault();
+        return;
+      }
       event.preventDefault();
       if (!event.repeat || !ONCE.includes(command)) does[command]();
     },
