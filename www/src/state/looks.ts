@@ -1,7 +1,6 @@
 // What a text looks like that was opened as a program: some are something else, and in some no line reads as a block.
 
 const MARKUP: readonly (readonly [kind: string, begins: RegExp])[] = [
-  ["RTF", /^\{\\rtf/],
   ["HTML", /^<(?:!doctype\s+html|html|head|body)\b/i],
   ["XML", /^<(?:[?!]|[a-z_][\w:.-]*[\s/>])/i],
   ["JSON", /^(?:\{\s*(?:"|\}\s*$)|\[\s*["{[\]])/],
