@@ -225,3 +225,51 @@ describe("undo behind a dialog", () => {
     await context.close();
   });
 });
+
+describe("what is told at the edge of the page", () => {
+  const chrome = shared("neither", { before, after });
+  const SIZES = { phone: [390, 844], tablet: [820, 1180], wide: [1280, 800] };
+
+  // oracle: hand
+  for (const [name, [width, height]] of Object.entries(SIZES))
+    test(`covers nothing of the form on a ${name}`, async () => {
+      const { context, page, problems } = await start(chrome, { viewport: { width, height } });
+      await page
+        .locator(".panel-program input[type=file]")
+        .setInputFiles({ name: "part.mpf", mimeType: "text/plain", buffer: Buffer.from(SMALL) });
+      const told = page.locator('.notice:has-text("Program opened.")');
+      await told.waitFor();
+      await page.evaluate(() => scrollTo({ top: 0, behavior: "instant" }));
+      const { bottom } = await told.evaluate(node => node.getBoundingClientRect().toJSON());
+      const form = await page.locator("#panel-form, .panel:visible").first().boundingBox();
+      const beside = await told.evaluate(
+        (node, right) => node.getBoundingClientRect().left >= right,
+        form.x + form.width,
+      );
+      assert.ok(beside || bottom <= form.y + 1, `${bottom} over ${form.y}`);
+      assert.deepEqual(problems, []);
+      await context.close();
+    });
+
+  // oracle: hand
+  test("says which character is lacking in no more lines than it needs, with its buttons below", async () => {
+    const { context, page, problems } = await start(chrome);
+    const latin = Buffer.from("; Pr\xfcfen\nG1 X1\nM30\n", "latin1");
+    await page
+      .locator(".panel-program input[type=file]")
+      .setInputFiles({ name: "part.mpf", mimeType: "text/plain", buffer: latin });
+    await page.locator('.cm-line:has-text("Prüfen")').click();
+    await page.keyboard.press("Home");
+    await page.keyboard.insertText("; \u0416\n");
+    const bar = page.locator(".lacking");
+    await bar.waitFor();
+    const text = await bar.locator(".problem").boundingBox();
+    const box = await bar.boundingBox();
+    assert.ok(text.width > 0.8 * box.width, `${text.width} of ${box.width}`);
+    const buttons = await bar.locator("button, select").all();
+    const tops = await Promise.all(buttons.map(async one => (await one.boundingBox()).y));
+    assert.ok(Math.max(...tops) - Math.min(...tops) < 8, `in one row: ${tops}`);
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+});
