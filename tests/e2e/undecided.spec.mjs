@@ -4,7 +4,15 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { after, before, describe, test } from "node:test";
 import { counts, shared } from "./browser.mjs";
-import { keptWhen, openFirstCall, programWhen, shownChange, startWithEditor as start, still } from "./start.mjs";
+import {
+  keptWhen,
+  openFirstCall,
+  programWhen,
+  shownChange,
+  startWithEditor as start,
+  start as startForm,
+  still,
+} from "./start.mjs";
 
 const REST = "_KNUM=0 _PRNUM=1 _FA=2 _TSA=2";
 const SMALL = `R2=50.02 ; bore\n_MVAR=1 _SETVAL=R2 ${REST}\nCYCLE977\n_MVAR=0 _SETVAL=0 _MA=1 ${REST}\nCYCLE978\nM30\n`;
@@ -233,7 +241,7 @@ describe("what is told at the edge of the page", () => {
   // oracle: hand
   for (const [name, [width, height]] of Object.entries(SIZES))
     test(`covers nothing of the form on a ${name}`, async () => {
-      const { context, page, problems } = await start(chrome, { viewport: { width, height } });
+      const { context, page, problems } = await startForm(chrome, { viewport: { width, height } });
       await page
         .locator(".panel-program input[type=file]")
         .setInputFiles({ name: "part.mpf", mimeType: "text/plain", buffer: Buffer.from(SMALL) });

@@ -83,12 +83,14 @@ function ofPage(step: Between): Told | null {
   return key && differs ? named(key) : null;
 }
 
+const IN_PROGRAM = "program ";
+
 function ofEditor(step: Between): Told | null {
   const { line } = step.after.program;
-  return step.inEditor && textsDiffer(step) ? { ...named("step-program", { line }), subject: `program ${line}` } : null;
+  return step.inEditor && textsDiffer(step)
+    ? { ...named("step-program", { line }), subject: `${IN_PROGRAM}${line}` }
+    : null;
 }
-
-const fieldSubject = (name: string): string => `field ${name}`;
 
 /** Of another task the form has the values it had; another call that is looked at is no step. */
 function ofForm(step: Between): Told | null {
@@ -99,7 +101,7 @@ function ofForm(step: Between): Told | null {
   const [field] = names;
   if (field === undefined) return null;
   if (names.length > 1) return named("step-values", { cycle: is.cycle });
-  return { ...named("step-field", { field, value: is.values[field] || "–" }), subject: fieldSubject(field) };
+  return { ...named("step-field", { field, value: is.values[field] || "–" }), subject: `field ${field}` };
 }
 
 /** What says itself what it does to the machine is called so. */
@@ -180,19 +182,23 @@ function bounded(steps: Step[]): Step[] {
   return steps.slice(first);
 }
 
-/** How a question is answered. */
-const ANSWERS = ["step-assign", "step-fix", "step-program"];
+/** What comes of a question that is answered with a change of the program. */
+const ANSWERS = ["step-assign", "step-fix", "step-program", "step-field", "step-values"];
+/** Those that have a name of their own. */
+const NAMED = ["step-assign", "step-fix"];
 
 /**
- * What was typed last and waited for a word, with all that is typed there until it is answered and what comes of the
+ * What was typed last and waits for a word, with all that is typed there until it is answered and what comes of the
  * answer: one step, however long that takes. null: it did not wait.
  */
 function ofAsked(last: Step | undefined, told: Told, before: State, after: State): Told | null {
-  const field = asksIn(before).find(name => last?.subject === fieldSubject(name));
-  if (!last || field === undefined) return null;
-  if (told.subject === last.subject) return told;
-  if (told.subject || !ANSWERS.includes(told.name.key) || asksIn(after).includes(field)) return null;
-  return told.name.key === "step-program" ? { ...told, name: last.name } : told;
+  const was = asksIn(before);
+  if (!last?.asking || !was.length || told.name.key === "step-kept") return null;
+  const left = was.some(name => asksIn(after).includes(name));
+  const same = !differing(before.program.texts, after.program.texts).length;
+  if (same && (told.subject ? told.subject === last.subject : !left)) return { ...told, asking: left };
+  if (same || left || told.subject.startsWith(IN_PROGRAM) || !ANSWERS.includes(told.name.key)) return null;
+  return { name: NAMED.includes(told.name.key) ? told.name : last.name, subject: "", asking: false };
 }
 
 /** The history with a step more, or with the last step longer by it. */
@@ -203,8 +209,10 @@ export function withStep(history: History, told: Told, before: State, after: Sta
   const longer = last && (asked || (told.subject && last.subject === told.subject && at - last.at < TOGETHER));
   const began = longer ? whole(last, history.texts) : work(before);
   // what was typed and not done after all is no step
-  if (asked && !toldStep(patched(after, began), after, false)) return { past: rest, future: [], texts };
-  const step = { ...(asked ?? told), at, ...held(began, texts) };
+  if (asked && !asked.asking && !toldStep(patched(after, began), after, false))
+    return { past: rest, future: [], texts };
+  const asking = asksIn(after).length > 0 && !asksIn(before).length;
+  const step = { ...(asked ?? { ...told, asking }), at, ...held(began, texts) };
   const done = last && !longer ? [standing(last, history.texts, before.program.texts)] : [];
   return { past: bounded([...rest, ...done, step]), future: [], texts };
 }
