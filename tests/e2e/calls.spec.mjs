@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { counts, shared } from "./browser.mjs";
-import { openMachine, openProgram, searchTasks, shownChange, startWithAll as start } from "./start.mjs";
+import { openMachine, openProgram, programWhen, searchTasks, shownChange, startWithAll as start } from "./start.mjs";
 
 /** Chooses a cycle by the search. */
 async function choose(page, name) {
@@ -184,6 +184,28 @@ describe("the call in the form", () => {
     await context.close();
   });
 
+  const HEADS = {
+    "a file of the control": "%_N_BORE_MPF\n;$PATH=/_N_WKS_DIR/_N_A_WPD\n; bore\nDEF REAL SIZE\n",
+    "a subprogram": "PROC BORE(REAL SIZE)\r\nEXTERN CHECK(REAL)\r\nN5 DEF INT I\r\n",
+    "lines that end with CR": "%_N_BORE_MPF\rDEF REAL SIZE\r",
+    "no head": "",
+  };
+  // oracle: hand
+  for (const [name, head] of Object.entries(HEADS))
+    test(`is inserted behind the head of a program: ${name}`, async () => {
+      const { context, page, problems } = await start(chrome);
+      const rest = head.includes("\r\n") ? "G0 X1\r\nM30\r\n" : "; first\nG0 X1\nM30\n";
+      await openProgram(page, head + rest);
+      await stands(page, null);
+      await insert(page).click();
+      const now = await programWhen(page, text => text !== head + rest);
+      assert.ok(now.startsWith(head), now);
+      assert.ok(now.endsWith(rest), now);
+      assert.match(now.slice(head.length, -rest.length), /CYCLE977\r?\n$/);
+      assert.deepEqual(problems, []);
+      await context.close();
+    });
+
   // oracle: hand
   test("is found by its link", async () => {
     const { context, page, problems } = await start(chrome);
@@ -201,7 +223,7 @@ describe("the call in the form", () => {
   });
 
   // oracle: hand (the program holds 40 until the other line may change)
-  test("is not said to be there while a change of another line waits", async () => {
+  test("is where it is while a change of another line waits, with what the program holds", async () => {
     const { context, page, problems } = await start(chrome);
     const hole = "%_N_HOLE_SPF\nPROC HOLE(REAL _D)\n_MVAR=1 _SETVAL=_D _TNUM=1 _KNUM=0 _FA=1\nCYCLE977\nM17\n";
     await openProgram(page, `%_N_MAIN_MPF\nG17 T9 D1\nHOLE(40)\nM30\n${hole}`);
@@ -209,13 +231,14 @@ describe("the call in the form", () => {
     await stands(page, 8);
     await field(page, "_SETVAL").fill("41");
     await page.locator(".asks").waitFor();
-    await stands(page, null);
+    await stands(page, 8);
+    assert.match(await page.locator(".foot-call").getAttribute("title"), /_SETVAL=_D/);
     await page.locator(".asks").getByRole("button", { name: "Cancel" }).click();
     await stands(page, 8);
     await field(page, "_SETVAL").fill("41");
     await page.locator(".asks").getByRole("button", { name: "Show the change" }).click();
     await shownChange(page).locator('ins:has-text("HOLE(41)")').waitFor();
-    await stands(page, null);
+    await stands(page, 8);
     await shownChange(page).getByRole("button", { name: "Apply" }).click();
     await stands(page, 8);
     assert.deepEqual(problems, []);

@@ -134,6 +134,11 @@ describe("a program file", () => {
     "drawing.pdf": ["%PDF-1.7\n1 0 obj\n", /drawing\.pdf was not opened: it is a PDF document/],
     "photo.png": ["\x89PNG\r\n\x1a\n\0\0\0\rIHDR", /photo\.png was not opened: it is a picture/],
     "job.mpf": ["PK\x03\x04\x14\0\x08\0", /job\.mpf was not opened: it is an archive, such as ZIP/],
+    "page.mpf": ["<html><body>hello</body></html>", /page\.mpf was not opened: it is HTML, not a program/],
+    "site.nc": ["\n <!DOCTYPE html>\n<p>G1 X1", /site\.nc was not opened: it is HTML, not a program/],
+    "data.spf": ['<?xml version="1.0"?>\n<part/>', /data\.spf was not opened: it is XML, not a program/],
+    "setup.mpf": ['{\n  "units": "mm"\n}', /setup\.mpf was not opened: it is JSON, not a program/],
+    "note.mpf": ["{\\rtf1\\ansi G1 X1}", /note\.mpf was not opened: it is an office document/],
     "tool.mpf": ["MZ\x90\0\x03\0\0\0\x04\0\0\0\xff\xff\0\0", /tool\.mpf was not opened: it contains no text/],
   };
   // oracle: hand (the beginnings that the formats prescribe)
@@ -152,6 +157,32 @@ describe("a program file", () => {
     assert.deepEqual(await saved(page, ".panel-program", "Save"), earlier);
     assert.equal(await page.locator(".opened").textContent(), call);
     assert.equal(await lengthField(page).inputValue(), "77");
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
+  const LETTER = "Dear colleague,\n\nplease find the drawing of part A4 in the folder: it is new.\n\nRegards\nAnna\n";
+  const PROGRAMS = [
+    "%_N_BORE_MPF\n;$PATH=/_N_WKS_DIR/_N_A_WPD\nM30\n",
+    "; only a comment\n",
+    "R1=5\n",
+    "BORE(5)\n",
+    'FEHLER:\nMSG("x")\n',
+    "SUPA D0 G0 Z200\n",
+    "#100=5\n",
+  ];
+  // oracle: hand
+  test("in which no line reads as a block is opened with a word about it; programs are without", async () => {
+    const { context, page, problems } = await start(chrome);
+    await programInput(page).setInputFiles(file("letter.txt", LETTER));
+    await refusal(page).filter({ hasText: "letter.txt was opened, but no line in it reads as a block" }).waitFor();
+    await page.locator('.refusal:visible .problem[data-severity="warning"]').waitFor();
+    await page.locator('.cm-line:has-text("Dear colleague")').waitFor();
+    for (const [at, text] of PROGRAMS.entries()) {
+      await programInput(page).setInputFiles(file(`part${at}.mpf`, text));
+      await page.locator(`.file-name:text-is("part${at}.mpf")`).waitFor();
+      await refusal(page).waitFor({ state: "hidden" });
+    }
     assert.deepEqual(problems, []);
     await context.close();
   });

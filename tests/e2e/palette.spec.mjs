@@ -141,6 +141,18 @@ describe("the palette", () => {
     await context.close();
   });
 
+  // oracle: hand (the control takes CR alone as the end of a line too)
+  test("goes to the lines of a program whose lines end with CR", async () => {
+    const { context, page, problems } = await start(chrome);
+    await openProgram(page, "G17\rT1 D1\rM30\r");
+    await page.locator('.cm-line:has-text("M30")').waitFor();
+    await find(page, "3");
+    await page.keyboard.press("Enter");
+    await page.locator('.cm-activeLine:has-text("M30")').waitFor();
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+
   // oracle: hand (the change is shown first)
   test("converts all calls, and moves by the arrow keys alone", async () => {
     const { context, page, problems } = await start(chrome);

@@ -141,3 +141,20 @@ test("the line breaks of a long program that are found in pieces are all there",
       assert.equal(eol.toEditor(text, at), shown(text, at), JSON.stringify({ filler, at }));
   }
 });
+
+// oracle: hand (what ends a line: CR LF, LF, or CR alone)
+test("lines are counted and found whatever ends them", () => {
+  for (const end of ["\n", "\r\n", "\r"]) {
+    const text = ["G0", "G1 X1", "", "M30"].join(end);
+    assert.equal(eol.lineCount(text), 4);
+    assert.equal(eol.lineCount(text + end), 4);
+    assert.equal(eol.lineAt(text + end, (text + end).length), 5);
+    const second = 2 + end.length;
+    assert.equal(eol.lineBegin(text, second + 3), second);
+    assert.equal(eol.lineBegin(text, second), second);
+    assert.equal(eol.lineBegin(text, 1), 0);
+    assert.equal(eol.lineEnd(text, 0), second);
+    assert.equal(eol.lineEnd(text, text.length - 1), text.length);
+  }
+  assert.equal(eol.lineCount(""), 1);
+});

@@ -235,6 +235,23 @@ export function lineAt(text: string, place: number): number {
   return 1 + breaks + breaksIn(text, at, place);
 }
 
+/** Where the line of a place begins. */
+export function lineBegin(text: string, place: number): number {
+  let at = place;
+  while (at > 0 && text[at - 1] !== "\n" && !(text[at - 1] === "\r" && text[at] !== "\n")) at--;
+  return at;
+}
+
+/** Where the line after that of a place begins. */
+export function lineEnd(text: string, place: number): number {
+  const found = /\r\n?|\n/g;
+  found.lastIndex = place;
+  return found.test(text) ? found.lastIndex : text.length;
+}
+
+/** The lines of a text; a break at its end begins none. */
+export const lineCount = (text: string): number => lineAt(text, text.length) - (/[\r\n]$/.test(text) ? 1 : 0);
+
 /**
  * Where an offset lies after the edits. What is put in right before it pushes it on; inside of what goes it falls to
  * its begin.

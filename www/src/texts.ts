@@ -172,6 +172,10 @@ export function say(message: Message): string {
   return t(message.key, args);
 }
 
+/** What a finding advises: it may name what its cause names. */
+export const sayHint = ({ message, hint }: { message: Message; hint?: Message | undefined }): string =>
+  hint ? say({ ...hint, args: { ...message.args, ...hint.args } }) : "";
+
 /** Names one behind the other, as the language lists them. */
 export const listed = (names: readonly string[]): string =>
   names.reduce((one, other) => (one ? t("list-pair", { one, other }) : other), "");

@@ -414,6 +414,7 @@ notice-set-saved = Werte gespeichert.
 notice-set-replaced = Werte gespeichert; der gleichnamige Wertesatz wurde ersetzt.
 notice-set-loaded = Werte geladen.
 notice-set-deleted = Werte gelöscht.
+notice-kept = Das Programm bleibt, wie es ist: Der eingegebene Wert wurde nicht übernommen.
 notice-undone = Rückgängig gemacht.
 notice-redone = Wiederhergestellt.
 print-lines = { $more ->
@@ -440,6 +441,7 @@ step-open = { $file } öffnen
 step-insert = Aufruf einfügen
 step-convert = Aufruf umwandeln
 step-fix = Änderung übernehmen
+step-kept = { $field } = { $value } nicht übernommen
 step-assign = Variable ändern
 step-example = Beispiel einsetzen
 step-set-load = Wertesatz laden
@@ -456,6 +458,8 @@ refused-program-size = { $name } wurde nicht geöffnet: Die Datei hat { $size }�
 refused-setup-size = { $name } wurde nicht geöffnet: Die Datei hat { $size } MB, eine Maschineneinrichtung darf höchstens { $most } MB haben. Ihre Maschineneinrichtung ist unverändert.
 refused-no-program = { $name } wurde nicht geöffnet: { $why }. Ihr Programm ist unverändert.
 refused-no-text = { $name } wurde nicht geöffnet: { $why }. Alles andere ist unverändert.
+refused-markup = sie enthält { $kind } und kein Programm; die Programmdatei wählen
+refused-no-blocks = { $name } ist geöffnet, aber keine Zeile liest sich als Satz. Vielleicht ist es kein Programm.
 refused-unreadable = { $name } wurde nicht geöffnet: Der Browser kann die Datei nicht lesen. Vielleicht wurde sie inzwischen verschoben oder geändert.
 refused-folder = { $name } wurde nicht geöffnet: Das ist ein Ordner ohne Dateien.
 refused-setup = { $name } ist keine Maschineneinrichtung und wurde nicht geöffnet: { $why } „Einrichtung exportieren“ schreibt eine zum Vergleich. Ihre Maschineneinrichtung ist unverändert.
@@ -690,6 +694,7 @@ replaced-uses = { $name } wird in { $count ->
     [one] 1 Zeile verwendet:
    *[other] { $count } Zeilen verwendet:
 }
+replaced-more = und { $count } weitere
 replaced-assign = { $name } auf { $value } ändern
 replaced-here = Nur hier ersetzen
 replaced-remove = Nur hier entfernen

@@ -411,6 +411,7 @@ notice-set-saved = Values saved.
 notice-set-replaced = Values saved; the set of the same name was replaced.
 notice-set-loaded = Values loaded.
 notice-set-deleted = Values deleted.
+notice-kept = The program keeps what it has: the typed value was not taken.
 notice-undone = Undone.
 notice-redone = Redone.
 print-lines = Lines omitted: { $more }. The saved file contains all { $all }.
@@ -431,6 +432,7 @@ step-open = Open { $file }
 step-insert = Insert call
 step-convert = Convert call
 step-fix = Apply change
+step-kept = { $field } = { $value } not taken
 step-assign = Change variable
 step-example = Load worked example
 step-set-load = Load value set
@@ -447,6 +449,8 @@ refused-program-size = { $name } was not opened: it has { $size } MB, more than
 refused-setup-size = { $name } was not opened: it has { $size } MB, but a setup may have at most { $most } MB. Your setup is unchanged.
 refused-no-program = { $name } was not opened: { $why }. Your program is unchanged.
 refused-no-text = { $name } was not opened: { $why }. Nothing else has changed.
+refused-markup = it is { $kind }, not a program; choose the program file
+refused-no-blocks = { $name } was opened, but no line in it reads as a block. It may not be a program.
 refused-unreadable = { $name } was not opened: the browser cannot read it. The file may have been moved or changed.
 refused-folder = { $name } was not opened: it is a folder without files.
 refused-setup = { $name } is not a setup and was not opened: { $why } “Export setup” writes one for comparison. Your setup is unchanged.
@@ -681,6 +685,7 @@ replaced-uses = { $name } is used in { $count ->
     [one] 1 line:
    *[other] { $count } lines:
 }
+replaced-more = and { $count } more
 replaced-assign = Change { $name } to { $value }
 replaced-here = Replace here
 replaced-remove = Remove here

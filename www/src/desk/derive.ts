@@ -33,6 +33,7 @@ import type {
 } from "../wire";
 import { isRead } from "./program";
 import { severities } from "./severity";
+import { waiting } from "./typing";
 
 export interface Derived {
   catalogue: Catalogue;
@@ -140,6 +141,20 @@ function worth(
   };
 }
 
+/** What the form asked of the core, and its answer. */
+interface Asked {
+  question: FormRequest;
+  view: Formed;
+}
+
+/** The values of a call, those with these names as the program has them: what is typed waits for a word. */
+function unchangedIn(call: CallView, values: FormState["values"], names: string): FormState["values"] {
+  return { ...values, ...Object.fromEntries(names.split(",").map(name => [name, call.values[name] ?? ""])) };
+}
+
+/** What is said of the call as the program has it; at the fields of what is typed there. */
+const withTyped = (view: Formed, { fields, diagnostics }: Formed): Formed => ({ ...view, fields, diagnostics });
+
 /**
  * A call that is never written anew in its own call style is the one that the program holds, byte by byte; comments
  * stand before it.
@@ -216,58 +231,60 @@ function aroundOf(
 export function createDerive(forms: () => FormCore, catalogue: Catalogue): (state: State) => Derived {
   const first = catalogue.cycles[0];
   if (!first) throw new Error("the catalogue is empty");
-  let question: FormRequest = { control: first.control, cycle: first.cycle, values: {} }; // as it was asked last
   let names: Record<string, string> = {}; // as the snippet's comments were asked for last
-  const form = memo(
-    (
-      core: FormCore,
-      cycle: CycleInfo,
-      values: FormState["values"],
-      expressions: Record<string, string>,
-      errors: PartState["errors"],
-      comments: string | null,
-      style: Style | null,
-      twin: boolean,
-      limits: boolean,
-      assumed: CallView["first"],
-      setup: Setup | OwnMachine | undefined,
-      plane?: Plane,
-      units?: UnitFunction,
-      transverse?: Transverse,
-      written?: Style,
-      measured: readonly LoggedCall[] = [],
-    ): Formed => {
-      const request = {
-        control: cycle.control,
-        cycle: cycle.cycle,
-        values,
-        errors,
-        ...(expressions !== NO_EXPRESSIONS ? { expressions } : {}),
-        ...(style ? { style } : {}),
-        ...(setup ? { setup } : {}),
-        ...(plane && units && transverse ? { plane, units, transverse } : {}),
-        ...(written ? { written } : {}),
-        ...(measured.length ? { measured: [...measured] } : {}),
-      };
-      const first = Object.fromEntries(Object.entries(assumed).map(([name, { value }]) => [name, value]));
-      question = { ...request, predict: true, ...(assumed !== NOTHING_ASSUMED ? { assumed: first } : {}) };
-      const view = core.form({
-        ...question,
-        ...(twin ? { twin } : {}),
-        ...(limits ? { limits } : {}),
-        ...(comments !== null ? { comments: names } : {}),
-      });
-      const before = names;
-      names = comments !== null ? labels(view) : names;
-      if (alike(before, names)) return view;
-      const { snippet, snippetPlaces } = core.form({ ...request, comments: names });
-      return { ...view, snippet, snippetPlaces };
-    },
-  );
+  const ask = (
+    core: FormCore,
+    cycle: CycleInfo,
+    values: FormState["values"],
+    expressions: Record<string, string>,
+    errors: PartState["errors"],
+    comments: string | null,
+    style: Style | null,
+    twin: boolean,
+    limits: boolean,
+    assumed: CallView["first"],
+    setup: Setup | OwnMachine | undefined,
+    plane?: Plane,
+    units?: UnitFunction,
+    transverse?: Transverse,
+    written?: Style,
+    measured: readonly LoggedCall[] = [],
+  ): Asked => {
+    const request = {
+      control: cycle.control,
+      cycle: cycle.cycle,
+      values,
+      errors,
+      ...(expressions !== NO_EXPRESSIONS ? { expressions } : {}),
+      ...(style ? { style } : {}),
+      ...(setup ? { setup } : {}),
+      ...(plane && units && transverse ? { plane, units, transverse } : {}),
+      ...(written ? { written } : {}),
+      ...(measured.length ? { measured: [...measured] } : {}),
+    };
+    const first = Object.fromEntries(Object.entries(assumed).map(([name, { value }]) => [name, value]));
+    const question = { ...request, predict: true, ...(assumed !== NOTHING_ASSUMED ? { assumed: first } : {}) };
+    const view = core.form({
+      ...question,
+      ...(twin ? { twin } : {}),
+      ...(limits ? { limits } : {}),
+      ...(comments !== null ? { comments: names } : {}),
+    });
+    const before = names;
+    names = comments !== null ? labels(view) : names;
+    if (alike(before, names)) return { question, view };
+    const { snippet, snippetPlaces } = core.form({ ...request, comments: names });
+    return { question, view: { ...view, snippet, snippetPlaces } };
+  };
+  const form = memo(ask);
+  const typedForm = memo(ask); // while something that is typed waits for a word
   const around = memo(aroundOf);
   const assume = memo(assumptions);
   const measuredBy = memo(measuredOf);
   const known = memo(worth);
+  const knownTyped = memo(worth);
+  const unchanged = memo(unchangedIn);
+  const both = memo(withTyped);
   const held = memo(asHeld);
   const still = memo(stillOf);
   const problems = memo(gather);
@@ -279,33 +296,38 @@ export function createDerive(forms: () => FormCore, catalogue: Catalogue): (stat
     const opened = reading.calls.find(call => call.from === state.form.open) ?? null;
     const style = cycle.styles.find(one => one === state.snippet.style) ?? null;
     const core = forms();
-    const assumed = assume(opened, state.form.values);
-    const { values, expressions } = known(opened, state.form.values);
-    const asked = form(
-      core,
-      cycle,
-      values,
-      expressions,
-      state.part.errors,
-      state.snippet.comments ? language() : null,
-      style,
-      state.snippet.twin && cycle.twins,
-      state.part.limits,
-      assumed,
-      machine(state).setup,
-      state.form.around?.plane,
-      state.form.around?.units,
-      state.form.around?.transverse,
-      opened?.style,
-      cycle.purpose.probe === "log" ? measuredBy(reading.calls) : NOTHING_MEASURED,
-    );
+    const { values } = state.form;
+    const waits = opened ? waiting(state).join() : "";
+    const there = opened && waits ? unchanged(opened, values, waits) : values;
+    const assumed = assume(opened, there);
+    const answer = (of: typeof ask, { values, expressions }: ReturnType<typeof worth>): Asked =>
+      of(
+        core,
+        cycle,
+        values,
+        expressions,
+        state.part.errors,
+        state.snippet.comments ? language() : null,
+        style,
+        state.snippet.twin && cycle.twins,
+        state.part.limits,
+        assumed,
+        machine(state).setup,
+        state.form.around?.plane,
+        state.form.around?.units,
+        state.form.around?.transverse,
+        opened?.style,
+        cycle.purpose.probe === "log" ? measuredBy(reading.calls) : NOTHING_MEASURED,
+      );
+    const { question, view: said } = answer(form, known(opened, there));
+    const asked = waits ? both(said, answer(typedForm, knownTyped(opened, values)).view) : said;
     const own = opened?.style === (style ?? asked.preset) ? opened : null;
     const view = own && (inOneCall(own) || !asked.snippet) ? held(asked, programOf(state), own) : asked;
     const index = opened ? reading.calls.indexOf(opened) : null;
     const blocks = around(
       core,
       cycle,
-      values,
+      question.values,
       programOf(state),
       index,
       aroundHere(state),

@@ -5,13 +5,14 @@
 // the state is settled, or waits for an answer.
 
 import type { Answered, Aside } from "../core/aside";
+import { isWaiting } from "../core/pending";
 import type { AtOnce, ProgramCore } from "../core/program";
 import { besideOf, patched, programMachine, programOf, type Reading, type State } from "../state/state";
 import type { Catalogue, Changed, Converted, CuredAll, EquipView, ReadView } from "../wire";
 import { arrived } from "./calls";
 import { supplied, supplying } from "./equipped";
 import { isCurrent, isOfNow, isRead } from "./program";
-import { change, changed, conversion, converted, cured, curing } from "./typing";
+import { answeredByLeaving, change, changed, conversion, converted, cured, curing } from "./typing";
 
 /** Of a program that is read between two keystrokes, in characters. */
 const SHORT = 8_000;
@@ -27,6 +28,7 @@ export type Standing =
   | { is: "rewriting"; question: AtOnce } // calls are to be written in another way, findings to be cured: it is shown
   | { is: "giving"; question: AtOnce } // the machine gets what the program lacks
   | { is: "astray" } // that call is gone: nobody waits for it any more
+  | { is: "left"; kept: State } // the form has left a call in which something waits for a word
   | { is: "settled" };
 
 export function standing(state: State): Standing {
@@ -43,6 +45,8 @@ export function standing(state: State): Standing {
     };
   }
   if (follow || sought) return { is: "looking", reading };
+  const kept = answeredByLeaving(state);
+  if (kept !== state) return { is: "left", kept };
   const typed = change(state);
   if (typed) return { is: "typed", question: { ask: "change", ...typed } };
   const rewritten = conversion(state);
@@ -91,6 +95,8 @@ export function next(state: State, answer: (question: AtOnce) => Answer | null, 
     }
     case "looking":
       return arrived(state, now.reading);
+    case "left":
+      return now.kept;
     case "astray":
       return patched(state, { desk: { converting: null } });
     case "stopped":
@@ -99,9 +105,11 @@ export function next(state: State, answer: (question: AtOnce) => Answer | null, 
   }
 }
 
-/** Whether nothing more follows from a state by itself, and nothing waits for a word. */
+/** Whether nothing more follows from a state by itself; what waits for a word may wait. */
 export function isSettled(state: State): boolean {
-  return !state.desk.pending.length && ["settled", "stopped"].includes(standing(state).is);
+  const text = programOf(state);
+  const onTheWay = state.desk.pending.some(one => one.control === state.form.control && !isWaiting(one, text));
+  return !onTheWay && ["settled", "stopped"].includes(standing(state).is);
 }
 
 function isLong(state: State): boolean {

@@ -20,11 +20,10 @@ function same(one: string | undefined, other: string | undefined): boolean {
   return a === b || (number !== null && number === parseNumber(b));
 }
 
-/** Whether the form shows a value that the program does not hold: it cannot be written, or waits for a word. */
+/** Whether the form shows a value that the program does not hold and that is not asked about: it cannot be written. */
 function isAhead(state: State, { opened, fresh, view }: Derived): boolean {
   const { control, open, values } = state.form;
   const mine = state.desk.pending.filter(one => one.control === control && one.at === open);
-  if (mine.some(one => one.asks)) return true;
   if (!opened || !fresh) return false;
   const onTheWay = new Set(mine.map(one => one.name));
   return view.fields.some(

@@ -33,6 +33,45 @@ export function typedIn(state: State, pairs: [string, string][]): State {
   });
 }
 
+/** Whether this waits for a word in the program that is shown. */
+const waitsIn =
+  (state: State) =>
+  (one: Pending): boolean =>
+    one.control === state.form.control && isWaiting(one, programOf(state));
+
+/** Names of the values that wait for a word in the call that the form edits. */
+export function waiting(state: State): string[] {
+  const mine = state.desk.pending.filter(waitsIn(state));
+  return mine.filter(one => one.at === state.form.open).map(one => one.name);
+}
+
+/** The form as the program has its call, without what is typed into it and these do not hold yet. */
+function withoutTyped(state: State, gone: readonly Pending[]): State {
+  const call = openCall(state);
+  const names = gone.filter(one => one.control === state.form.control && one.at === call?.from).map(one => one.name);
+  const back = Object.fromEntries(names.map(name => [name, call?.values[name] ?? ""]));
+  const pending = state.desk.pending.filter(one => !gone.includes(one));
+  return patched(state, { desk: { pending }, form: { values: { ...state.form.values, ...back } } });
+}
+
+/** What was typed and is not in the program yet is not done; the same state where that is nothing. */
+export function takenBack(state: State): State {
+  const { control, open } = state.form;
+  const mine = state.desk.pending.filter(one => one.control === control && one.at === open);
+  return mine.length && openCall(state) ? withoutTyped(state, mine) : state;
+}
+
+/**
+ * What waits for a word and is asked no more keeps what the program has, and that is said. A question belongs to its
+ * field: `all`: none stays open, else those of calls that the form does not edit go.
+ */
+export function answeredByLeaving(state: State, all = false): State {
+  const { open } = state.form;
+  const gone = state.desk.pending.filter(one => waitsIn(state)(one) && (all || one.at !== open));
+  if (!gone.length) return state;
+  return patched(withoutTyped(state, gone), { desk: { proposed: null }, page: { notice: "notice-kept", offer: true } });
+}
+
 /** What waits for a word since it would take the place of an expression in the call that the form edits. */
 export function replacing(state: State, name: string): (Pending & { asks: { replaced: Replaced } }) | undefined {
   const { control, open } = state.form;
@@ -210,12 +249,10 @@ function seen(state: State): State {
 
 /** What waited until it was seen is not done, and the form shows again what the program holds. */
 export function refused(state: State): State {
-  const call = openCall(state);
-  const gone = state.desk.pending.filter(one => one.asks && !one.asks.replaced);
-  const names = gone.filter(one => one.control === state.form.control && one.at === call?.from).map(one => one.name);
-  const back = Object.fromEntries(names.map(name => [name, call?.values[name] ?? ""]));
-  const pending = state.desk.pending.filter(one => !gone.includes(one));
-  return patched(state, { desk: { pending }, form: { values: { ...state.form.values, ...back } } });
+  return withoutTyped(
+    state,
+    state.desk.pending.filter(one => one.asks && !one.asks.replaced),
+  );
 }
 
 type Shown = Pick<Proposal, "edits" | "title" | "notice"> & Partial<Proposal>;

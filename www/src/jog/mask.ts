@@ -7,7 +7,7 @@ import { glossPart } from "../glossary";
 import { iconPart } from "../icons";
 import { plain } from "../numbers";
 import type { JogState, State } from "../state/state";
-import { hasHelp, helpWords, say, t } from "../texts";
+import { hasHelp, helpWords, say, sayHint, t } from "../texts";
 import { unlessTyping } from "../unless-typing";
 import type {
   Message,
@@ -341,7 +341,7 @@ function refusal({ message, hint, left, line }: NonNullable<JogState["refused"]>
   return html`<p class="jog-told jog-refused" role="alert">
     ${iconPart("alert")}
     <span>
-      ${say(message)} ${hint ? say(hint) : ""} ${left ? t("jog-left-out", { line, lines: left }) : ""}
+      ${say(message)} ${sayHint({ message, hint })} ${left ? t("jog-left-out", { line, lines: left }) : ""}
     </span>
   </p>`;
 }
@@ -354,7 +354,7 @@ function raised({ raised: one, keys: { reset } }: PracticeView, practice: Practi
       ${iconPart("error")}
       <span>
         ${one.code ? html`<strong>${t("practice-alarm", { alarm: one.code })}</strong>` : nothing}
-        ${say(one.message)} ${one.hint ? html`<br />${say(one.hint)}` : nothing}
+        ${say(one.message)} ${one.hint ? html`<br />${sayHint(one)}` : nothing}
       </span>
       ${reset ? html`<button type="button" @click=${() => practice.reset()}>RESET</button>` : nothing}
     </div>

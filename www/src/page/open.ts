@@ -7,6 +7,7 @@ import type { EditorPlace } from "../editor/place";
 import { asMarked, decode, type Encoding, encode } from "../encoding";
 import { type Job, within } from "../pace";
 import { fileOf, openedNow, type Refusal, readProgram, readSetup } from "../state/files";
+import { looksLikeProgram } from "../state/looks";
 import { markInPieces } from "../state/mark";
 import { keepPlace, movePlace } from "../state/places";
 import { isUnsaved } from "../state/saved";
@@ -77,14 +78,23 @@ async function openProgramFile(
     await editor.prepare(read.text, within(pace, 0.4, 1));
     keepPlace(read.file.opened, place, file);
     actions.openProgram(read.text, read.file, read.mark);
-    tellControl(store, read);
+    tellDoubts(store, read);
   });
 }
 
-/** A program whose beginning tells another control than the one in use is opened, and the way to that one shown. */
-function tellControl(store: Store, { file: { name }, control }: Read): void {
-  if (!control || control === store.state.form.control) return;
-  refuse(store, "program", { key: "refused-other-control", args: { name, control: t(`control-${control}`) }, control });
+/**
+ * A program whose beginning tells another control than the one in use is opened, and the way to that one shown; so is
+ * what may be no program, which is told.
+ */
+function tellDoubts(store: Store, { text, file: { name }, control }: Read): void {
+  const another = control && control !== store.state.form.control;
+  if (!looksLikeProgram(text)) refuse(store, "program", { key: "refused-no-blocks", args: { name }, taken: true });
+  else if (another)
+    refuse(store, "program", {
+      key: "refused-other-control",
+      args: { name, control: t(`control-${control}`) },
+      control,
+    });
 }
 
 /** One file is read as ever; of several the program is opened, and the others lie beside it. */
@@ -131,7 +141,7 @@ async function takeSeveral(
     if (main) {
       await editor.prepare(main.text, within(pace, 0.6, 1));
       actions.openProgram(main.text, main.file, main.mark, others);
-      tellControl(store, main);
+      tellDoubts(store, main);
     } else if (others.length) actions.putBeside(others);
     if (refused) refuse(store, "program", refused);
   });

@@ -2,6 +2,7 @@
 
 import type { Derived } from "../desk/derive";
 import { isRead } from "../desk/program";
+import { lineCount } from "../eol";
 import { placeAt } from "../state/places";
 import { LONGEST, putRecent } from "../state/recent";
 import { memoryKey, programOf, type State } from "../state/state";
@@ -46,7 +47,7 @@ function noteProgram(state: State): void {
     name: file.name,
     encoding: file.encoding,
     calls: state.program.reading?.view.calls.length ?? 0,
-    lines: text.split("\n").length - (text.endsWith("\n") ? 1 : 0),
+    lines: lineCount(text),
     text,
     place: placeAt(file.opened),
   });

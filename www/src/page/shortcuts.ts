@@ -6,13 +6,14 @@ import { type Command, meantBy } from "../keys";
 type PageCommand = Exclude<Command<"page">, "close">;
 
 /** Words that are looked for or given as a name are no work. */
-const NO_WORK = "input[type=search], dialog input, .cm-search input";
+const NO_WORK = "input[type=search], .cm-search input";
 const TEXT = 'input:not([type="checkbox"], [type="range"], [type="file"]), textarea, [contenteditable="true"]';
 
 /** Where a key keeps the meaning that it has there by itself. */
 const EXCEPT: Partial<Record<PageCommand, string>> = { undo: NO_WORK, redo: NO_WORK, keys: TEXT };
-/** A dialog keeps the focus. */
-const NOT_BESIDE_DIALOG: PageCommand[] = ["next-panel", "previous-panel", "keys", "palette"];
+const HISTORY: PageCommand[] = ["undo", "redo"];
+/** A dialog keeps the focus, and nothing changes behind it. */
+const NOT_BESIDE_DIALOG: PageCommand[] = [...HISTORY, "next-panel", "previous-panel", "keys", "palette"];
 /** What a key that is held down does once. */
 const ONCE: PageCommand[] = ["save", "open", "keys", "palette"];
 
@@ -26,7 +27,11 @@ export function listenToKeys(does: Record<PageCommand, () => void>, end: AbortSi
       const [target] = event.composedPath();
       const except = EXCEPT[command];
       if (except && target instanceof Element && target.matches(except)) return;
-      if (NOT_BESIDE_DIALOG.includes(command) && document.querySelector("dialog:modal")) return;
+      if (NOT_BESIDE_DIALOG.includes(command) && document.querySelector("dialog:modal")) {
+        // the browser would take back what was typed last, wherever that is
+        if (HISTORY.includes(command) && !(target instanceof Element && target.matches(TEXT))) event.preventDefault();
+        return;
+      }
       event.preventDefault();
       if (!event.repeat || !ONCE.includes(command)) does[command]();
     },

@@ -6,6 +6,7 @@ import { type Bytes, decodeFrom, type Encoding, PIECE } from "../encoding";
 import { type Pace, sliced, within } from "../pace";
 import { say, t } from "../texts";
 import type { Dialect, Recognised } from "../wire";
+import { markupOf } from "./looks";
 import { markInPieces } from "./mark";
 
 /** `opened`: when, ms; what is not opened from a file has none. */
@@ -43,6 +44,8 @@ export interface Refusal {
   args: Record<string, string | number>;
   /** The file was taken, but is meant for this control. */
   control?: Dialect;
+  /** It was taken, and there is a doubt. */
+  taken?: true;
 }
 
 const MEGABYTE = 1e6;
@@ -132,6 +135,8 @@ export async function readProgram(
     const { encoding, control } = found;
     if (!holds(encoding.startsWith("utf-16") ? file.size / 2 : file.size)) return notHeld(file);
     const text = await decodeFrom(bytes, encoding, within(pace, 0.5, 0.9));
+    const kind = markupOf(text);
+    if (kind) return { key: "refused-no-program", args: { name, why: t("refused-markup", { kind }) } };
     const mark = await markInPieces(text, encoding, within(pace, 0.9, 1));
     return { text, file: { name, encoding, opened: openedNow() }, mark, ...(control && { control }) };
   } catch (problem) {

@@ -5,7 +5,7 @@ import { difference } from "../difference";
 import { type Splice, splice } from "../eol";
 import { LONG } from "../pace";
 import type { Dialect } from "../wire";
-import type { History, Patch, State, Step, StepName } from "./state";
+import { type History, type Patch, patched, type State, type Step, type StepName } from "./state";
 import { work } from "./stored";
 
 /** Steps that are kept, and characters of different programs in them. */
@@ -56,6 +56,19 @@ const textsDiffer = ({ before, after }: Between): boolean =>
 const sameForm = ({ before, after }: Between): boolean =>
   before.form.cycle === after.form.cycle && before.form.control === after.form.control;
 
+/** What waits for a word in the call of the form. */
+const asksIn = ({ form: { control, open }, desk: { pending } }: State): string[] =>
+  pending.filter(one => one.control === control && one.at === open && one.asks).map(one => one.name);
+
+/** A question that nobody answers: the program keeps what it has. */
+function ofQuestion({ before, after }: Between): Told | null {
+  const { notice } = after.page;
+  const [field] = asksIn(before);
+  return field !== undefined && notice === "notice-kept" && !after.desk.pending.some(one => one.asks)
+    ? named("step-kept", { field, value: before.form.values[field] || "–" })
+    : null;
+}
+
 function ofFile({ before, after }: Between): Told | null {
   const { control } = after.form;
   const file = after.program.files[control];
@@ -70,9 +83,13 @@ function ofPage(step: Between): Told | null {
   return key && differs ? named(key) : null;
 }
 
+const IN_PROGRAM = "program ";
+
 function ofEditor(step: Between): Told | null {
   const { line } = step.after.program;
-  return step.inEditor && textsDiffer(step) ? { ...named("step-program", { line }), subject: `program ${line}` } : null;
+  return step.inEditor && textsDiffer(step)
+    ? { ...named("step-program", { line }), subject: `${IN_PROGRAM}${line}` }
+    : null;
 }
 
 /** Of another task the form has the values it had; another call that is looked at is no step. */
@@ -109,7 +126,7 @@ function ofRest(step: Between): Told | null {
 /** What was done between two states; none: nothing that could be undone. */
 export function toldStep(before: State, after: State, inEditor: boolean): Told | null {
   const step = { before, after, inEditor };
-  return ofFile(step) ?? ofPage(step) ?? ofEditor(step) ?? ofForm(step) ?? ofRest(step);
+  return ofFile(step) ?? ofQuestion(step) ?? ofPage(step) ?? ofEditor(step) ?? ofForm(step) ?? ofRest(step);
 }
 
 type Texts = State["program"]["texts"];
@@ -165,13 +182,37 @@ function bounded(steps: Step[]): Step[] {
   return steps.slice(first);
 }
 
+/** What comes of a question that is answered with a change of the program. */
+const ANSWERS = ["step-assign", "step-fix", "step-program", "step-field", "step-values"];
+/** Those that have a name of their own. */
+const NAMED = ["step-assign", "step-fix"];
+
+/**
+ * What was typed last and waits for a word, with all that is typed there until it is answered and what comes of the
+ * answer: one step, however long that takes. null: it did not wait.
+ */
+function ofAsked(last: Step | undefined, told: Told, before: State, after: State): Told | null {
+  const was = asksIn(before);
+  if (!last?.asking || !was.length || told.name.key === "step-kept") return null;
+  const left = was.some(name => asksIn(after).includes(name));
+  const same = !differing(before.program.texts, after.program.texts).length;
+  if (same && (told.subject ? told.subject === last.subject : !left)) return { ...told, asking: left };
+  if (same || left || told.subject.startsWith(IN_PROGRAM) || !ANSWERS.includes(told.name.key)) return null;
+  return { name: NAMED.includes(told.name.key) ? told.name : last.name, subject: "", asking: false };
+}
+
 /** The history with a step more, or with the last step longer by it. */
 export function withStep(history: History, told: Told, before: State, after: State, at: number): History {
   const { texts } = after.program;
   const [rest, last] = [history.past.slice(0, -1), history.past.at(-1)];
-  const longer = last && told.subject && last.subject === told.subject && at - last.at < TOGETHER;
+  const asked = ofAsked(last, told, before, after);
+  const longer = last && (asked || (told.subject && last.subject === told.subject && at - last.at < TOGETHER));
   const began = longer ? whole(last, history.texts) : work(before);
-  const step = { ...told, at, ...held(began, texts) };
+  // what was typed and not done after all is no step
+  if (asked && !asked.asking && !toldStep(patched(after, began), after, false))
+    return { past: rest, future: [], texts };
+  const asking = asksIn(after).length > 0 && !asksIn(before).length;
+  const step = { ...(asked ?? { ...told, asking }), at, ...held(began, texts) };
   const done = last && !longer ? [standing(last, history.texts, before.program.texts)] : [];
   return { past: bounded([...rest, ...done, step]), future: [], texts };
 }

@@ -325,6 +325,8 @@ export interface Step {
   at: number;
   /** What goes on with the same thing soon is the same step; empty: nothing does. */
   subject: string;
+  /** What was typed waits for a word. */
+  asking?: boolean;
 }
 
 /**

@@ -9,7 +9,7 @@ import type { ProgramCore } from "../core/program";
 import { el, on, setAttribute } from "../dom";
 import { guideButton } from "../guide";
 import { readExported, saveFile } from "../state/files";
-import { say, sayProblem, t } from "../texts";
+import { say, sayHint, sayProblem, t } from "../texts";
 import type { DefinitionsText, DefinitionsView, Machine, MachineView, MemoryShare } from "../wire";
 import { passingDialog, showPassing } from "./passing";
 
@@ -127,7 +127,7 @@ export function openDefinitions(core: ProgramCore, machine: OfMachine, end: Abor
     }
     machine.take(answer.machine, answer.definitions);
     draw();
-    const refused = answer.machine.problems.map(one => `${one.name}: ${say(one.message)} ${say(one.hint)}`);
+    const refused = answer.machine.problems.map(one => `${one.name}: ${say(one.message)} ${sayHint(one)}`);
     const unread = answer.unread.map(one => {
       const place = one.place ? `${one.place.file}:${one.place.line}: ` : "";
       return `${place}${one.name}: ${say(one.message)}`;

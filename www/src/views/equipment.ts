@@ -12,7 +12,7 @@ import { meantBy } from "../keys";
 import { plain } from "../numbers";
 import { profile, programMachine, type State } from "../state/state";
 import type { Store } from "../state/store";
-import { optional, say, t } from "../texts";
+import { optional, say, sayHint, t } from "../texts";
 import { unlessTyping } from "../unless-typing";
 import type {
   EquipmentCell,
@@ -117,7 +117,7 @@ export function createEquipment(
     const answer = make({ set: { table, row: row.id, cell: cell.key, text } }, told);
     if (answer?.problem) {
       const { message, hint } = answer.problem;
-      wrong = { table, row: row.id, cell: cell.key, text, why: `${say(message)} ${say(hint)}` };
+      wrong = { table, row: row.id, cell: cell.key, text, why: `${say(message)} ${sayHint({ message, hint })}` };
     }
     drawAll();
   };

@@ -10,7 +10,7 @@ import { glossPart } from "../glossary";
 import { plain } from "../numbers";
 import { machine } from "../state/state";
 import type { Store } from "../state/store";
-import { optional, say, t } from "../texts";
+import { optional, say, sayHint, t } from "../texts";
 import { unlessTyping } from "../unless-typing";
 import type { BasicSystem, MachineField, MachineGroup, MachineRequest, MachineView } from "../wire";
 import { copyText } from "./copy";
@@ -214,7 +214,7 @@ export function createMachineData(
   function datumOf(datum: MachineField): TemplateResult {
     const wrong = view?.problems.find(one => one.name === datum.name);
     const value = typed[datum.name] ?? (datum.value || (datum.kind === "choice" ? datum.fallback : ""));
-    return datumRow(datum, value, wrong ? `${say(wrong.message)} ${say(wrong.hint)}` : "", text =>
+    return datumRow(datum, value, wrong ? `${say(wrong.message)} ${sayHint(wrong)}` : "", text =>
       edit(datum.name, text),
     );
   }
@@ -304,7 +304,7 @@ function datumRow(datum: MachineField, value: string, problem: string, edit: (va
     ${
       datum.warned
         ? html`<p class="datum-help datum-warned" id=${`${id}-warned`}>
-            ${say(datum.warned.message)} ${datum.warned.hint ? say(datum.warned.hint) : nothing}
+            ${say(datum.warned.message)} ${sayHint(datum.warned)}
           </p>`
         : nothing
     }

@@ -5,6 +5,7 @@ import type { ProgramCore } from "../core/program";
 import type { Actions } from "../desk/actions";
 import type { Derived } from "../desk/derive";
 import { el, on, setAttribute, setText, show } from "../dom";
+import { lineAt } from "../eol";
 import { isExplained, openGuide } from "../guide";
 import { type Command, meantBy } from "../keys";
 import type { Hit, Search, Tables } from "../search";
@@ -195,7 +196,7 @@ export function createPalette(store: Store, actions: Actions, leads: Leads, now:
   const lineOf = (text: string, program: string): Item[] => {
     const number = /^:?\s*(\d+)$/.exec(text)?.[1];
     const line = Number(number);
-    if (!number || line < 1 || line > program.split("\n").length) return [];
+    if (!number || line < 1 || line > lineAt(program, program.length)) return [];
     const title = t("palette-line", { line });
     return [{ id: "line", code: number, title, found: [], run: () => leads.goToLine(line) }];
   };

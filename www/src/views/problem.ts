@@ -3,7 +3,7 @@
 import { html, nothing, render, type TemplateResult } from "lit-html";
 import { repeat } from "lit-html/directives/repeat.js";
 import { glossPart } from "../glossary";
-import { say, t } from "../texts";
+import { say, sayHint, t } from "../texts";
 import type { Diagnostic, Offer } from "../wire";
 
 const MARKS = { error: "✕", warning: "!", note: "i" };
@@ -19,7 +19,7 @@ export function problem(
     <span class="mark" aria-hidden="true">${MARKS[severity]}</span>
     <span class="problem-text">${`${t(`severity-${severity}`)}: ${say(message)}`}</span>
     <code class="problem-code">${code}</code>
-    <span class="hint" ?hidden=${!hint}>${hint ? glossPart(say(hint)) : ""}</span>${more}
+    <span class="hint" ?hidden=${!hint}>${hint ? glossPart(sayHint({ message, hint })) : ""}</span>${more}
   </li>`;
 }
 

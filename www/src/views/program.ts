@@ -18,7 +18,7 @@ import { ENDINGS, pickPlaces, writeBack } from "../state/places";
 import { isUnsaved } from "../state/saved";
 import { inFocus, programOf, type State } from "../state/state";
 import type { Store } from "../state/store";
-import { say, t } from "../texts";
+import { say, sayHint, t } from "../texts";
 import type { CallView } from "../wire";
 import { hintText } from "./amounts";
 import { createBeside } from "./beside";
@@ -81,17 +81,18 @@ export function createProgram(
   const waiting = el("p", { class: "empty" }, t("program-loading"));
   let saving = Promise.resolve(); // one after the other, in the order in which they were asked for
   const save = (): void => {
-    store.flush(); // what was typed last
+    const kept = actions.settle(); // what was typed last, too
     const { name, encoding, opened } = fileOf(store.state);
     const { control } = store.state.form;
-    const program = text;
+    const program = programOf(store.state);
     saving = saving.then(async () => {
       const content = await encodeInPieces(program, encoding, sliced());
       if (!content) return origin.refuse();
       const mark = await markInPieces(program, encoding, sliced());
       const written = await writeBack(opened, content);
       if (written !== "written") saveFile(content, name);
-      if (written !== "nowhere") store.update({ page: { notice: `notice-${written}` } });
+      const told = kept && written === "written"; // what was not taken is said
+      if (written !== "nowhere" && !told) store.update({ page: { notice: `notice-${written}`, offer: false } });
       actions.saved(control, opened, mark);
     });
   };
@@ -130,7 +131,11 @@ export function createProgram(
   let lit = "";
   let told: Derived["problems"] | null = null;
 
-  on(copy, "click", () => void copyText(text, store, "notice-copied"));
+  const copyAll = (): void => {
+    const kept = actions.settle();
+    void copyText(programOf(store.state), store, kept ? "notice-kept" : "notice-copied");
+  };
+  on(copy, "click", copyAll);
   on(open, "click", () => void pick());
   on(calls, "click", () => store.update(state => ({ panels: { outline: !state.panels.outline } })));
   on(file, "change", () => {
@@ -249,7 +254,7 @@ export function createProgram(
     open: () => void pick(),
     pickFiles: beside.pick,
     save,
-    copy: () => void copyText(text, store, "notice-copied"),
+    copy: copyAll,
   };
 }
 
@@ -303,7 +308,7 @@ function marks(derived: Derived, cure: Actions["cure"]) {
         to,
         severity,
         actions,
-        message: `${one.code}  ${say(one.message)}${one.hint ? `\n${say(one.hint)}` : ""}`,
+        message: `${one.code}  ${say(one.message)}${one.hint ? `\n${sayHint(one)}` : ""}`,
       };
     });
 }

@@ -29,7 +29,7 @@ export function createRefusal(
       control = refused?.control;
       show(under, !!control);
       setText(under, control ? t("refused-under", { control: t(`control-${control}`) }) : "");
-      setAttribute(text, "data-severity", control ? "warning" : "error");
+      setAttribute(text, "data-severity", control || refused?.taken ? "warning" : "error");
     },
   };
 }

@@ -8,6 +8,9 @@ import { meantBy } from "../keys";
 import { say, t } from "../texts";
 import type { Replaced, TouchedLine, Variable } from "../wire";
 
+/** Lines that are named at first. */
+const FEW = 3;
+
 export interface ReplacedNote {
   root: HTMLElement;
   /** `empty`: the field was emptied. */
@@ -23,6 +26,7 @@ export function createReplaced(
   back: () => void,
 ): ReplacedNote {
   const root = el("div", { class: "replaced", role: "group", hidden: true });
+  let again = (): void => undefined; // draws the same once more
   const done =
     (act: () => void): (() => void) =>
     () => {
@@ -38,6 +42,24 @@ export function createReplaced(
   const line = (one: number): TemplateResult =>
     html`<button type="button" class="quiet" @click=${() => goToLine(one)}>${t("asks-line", { line: one })}</button>`;
 
+  const unfolded = new Set<string>(); // variables whose lines are shown, all of them
+  const lines = (of: string, all: readonly number[]): (TemplateResult | typeof nothing)[] => {
+    const few = unfolded.has(of) || all.length <= FEW + 1; // one more takes no more room than the words
+    const more = (): void => {
+      unfolded.add(of);
+      again();
+      (root.querySelectorAll<HTMLElement>(`[data-of="${CSS.escape(of)}"] button`)[FEW] ?? root).focus();
+    };
+    return [
+      ...(few ? all : all.slice(0, FEW)).map(line),
+      few
+        ? nothing
+        : html`<button type="button" class="quiet replaced-more" @click=${more}>
+            ${t("replaced-more", { count: all.length - FEW })}
+          </button>`,
+    ];
+  };
+
   const changedLine = (touched: TouchedLine): TemplateResult => html`<p class="replaced-change">
     ${line(touched.line)}
     <span class="visually-hidden">${t("asks-before")}</span><del>${touched.before}</del>
@@ -47,10 +69,18 @@ export function createReplaced(
   const variable = (one: Variable): TemplateResult => html`<li>
     ${
       one.uses.length
-        ? html`<p>${t("replaced-uses", { name: one.name, count: one.uses.length })} ${one.uses.map(line)}</p>`
+        ? html`<p data-of=${one.name}>
+            ${t("replaced-uses", { name: one.name, count: one.uses.length })} ${lines(one.name, one.uses)}
+          </p>`
         : nothing
     }
-    ${one.change ? changedLine(one.change.line) : html`<p>${one.why ? say(one.why) : ""} ${one.assigned.map(line)}</p>`}
+    ${
+      one.change
+        ? changedLine(one.change.line)
+        : html`<p data-of=${`${one.name}=`}>
+            ${one.why ? say(one.why) : ""} ${lines(`${one.name}=`, one.assigned)}
+          </p>`
+    }
   </li>`;
 
   const change = (one: Variable, index: number): TemplateResult | typeof nothing =>
@@ -80,8 +110,18 @@ export function createReplaced(
     waits: () => !root.hidden,
     focus: () => root.querySelector<HTMLElement>(".actions button")?.focus(),
     draw(replaced, empty) {
+      const comes = replaced !== null && root.hidden;
+      if (!replaced) unfolded.clear();
+      again = () => render(replaced ? note(replaced, empty) : nothing, root);
       show(root, replaced !== null);
-      render(replaced ? note(replaced, empty) : nothing, root);
+      again();
+      // the field with what is asked about it
+      if (comes && root.parentElement?.contains(document.activeElement)) bringInSight(root.parentElement);
     },
   };
+}
+
+/** All of it, where there is room for that; it is drawn first. */
+function bringInSight(field: HTMLElement): void {
+  requestAnimationFrame(() => field.scrollIntoView({ block: "nearest", behavior: "instant" }));
 }

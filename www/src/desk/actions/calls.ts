@@ -1,6 +1,6 @@
 // Calls of the program: opened, written, inserted.
 
-import { lineBreak, type Splice } from "../../eol";
+import { lineBegin, lineBreak, lineEnd, type Splice } from "../../eol";
 import { AT_END, patched, programOf, remember, type State } from "../../state/state";
 import type { Style } from "../../wire";
 import { opened } from "../calls";
@@ -75,12 +75,32 @@ export function createCallsActions({ store, now }: Acting): CallsActions {
   return actions;
 }
 
+/** Lines with which a program begins, before its first block; between them comments may stand. */
+const HEAD = /^\s*(?:%|O\d|;\s*\$PATH|(?:N\d+\s*)?(?:PROC|DEF|REDEF|DEFINE|EXTERN)\b)/i;
+const BETWEEN = /^\s*(?:;.*|\(.*\)\s*)?$/;
+
+/** Where the head of a program ends. */
+function headEnd(text: string): number {
+  let end = 0;
+  let from = 0;
+  while (from < text.length) {
+    const next = lineEnd(text, from);
+    const line = text.slice(from, next).replace(/[\r\n]+$/, "");
+    if (HEAD.test(line)) end = next;
+    else if (!BETWEEN.test(line)) break;
+    from = next;
+  }
+  return end;
+}
+
 /** Whole lines before the line of the cursor, or after the last line when the cursor stands at its end. */
 function insertion(text: string, cursor: number, snippet: string): Splice {
   const eol = lineBreak(text);
   const body = snippet.replace(/\n+$/, "").replaceAll("\n", eol);
-  const atEnd = cursor >= text.length && text.length > 0 && !text.endsWith("\n");
-  if (atEnd) return { from: text.length, to: text.length, insert: eol + body + eol };
-  const start = text.lastIndexOf("\n", cursor - 1) + 1;
-  return { from: cursor === 0 ? 0 : start, to: cursor === 0 ? 0 : start, insert: body + eol };
+  const head = headEnd(text);
+  const open = text.length > 0 && !/[\r\n]$/.test(text); // the last line has no end
+  if (open && (cursor >= text.length || head === text.length))
+    return { from: text.length, to: text.length, insert: eol + body + eol };
+  const start = Math.max(head, lineBegin(text, cursor));
+  return { from: start, to: start, insert: body + eol };
 }

@@ -2,7 +2,17 @@
 
 import type { Diagnostic, Edit, TouchedLine } from "../../wire";
 import { isRead } from "../program";
-import { agreed, declined, mended, proposed, refused, replacing, typedShown, withoutReplacing } from "../typing";
+import {
+  agreed,
+  answeredByLeaving,
+  declined,
+  mended,
+  proposed,
+  refused,
+  replacing,
+  typedShown,
+  withoutReplacing,
+} from "../typing";
 import type { Acting } from "./acting";
 
 export interface ChangesActions {
@@ -24,6 +34,8 @@ export interface ChangesActions {
   replaceHere(name: string): void;
   /** The expression stays. */
   keep(name: string): void;
+  /** What waits for a word is not done: the program goes elsewhere as it is. Whether there was any. */
+  settle(): boolean;
 }
 
 export function createChangesActions({ store, now }: Acting): ChangesActions {
@@ -61,5 +73,13 @@ export function createChangesActions({ store, now }: Acting): ChangesActions {
         return { desk: { pending } };
       }),
     keep: name => store.update(state => withoutReplacing(state, name)),
+    settle() {
+      store.flush(); // what was typed last
+      const state = now();
+      const kept = answeredByLeaving(state, true);
+      store.update(kept);
+      store.flush();
+      return kept !== state;
+    },
   };
 }

@@ -3,6 +3,8 @@
 import { speak } from "../../language";
 import { stepped } from "../../state/history";
 import { AT_END, type Card, firstState, type Panel, type Sheet } from "../../state/state";
+import { isSettled } from "../desk";
+import { takenBack } from "../typing";
 import type { Acting } from "./acting";
 
 export interface PageActions {
@@ -47,6 +49,10 @@ export function createPageActions({ store, now }: Acting): PageActions {
     },
     step(back) {
       store.flush(); // what was typed just now is a step too
+      if (back > 0 && !isSettled(now()) && takenBack(now()) !== now()) {
+        store.update(takenBack, { desk: { proposed: null }, page: { notice: "notice-undone", offer: false } });
+        return store.flush();
+      }
       const there = stepped(now(), back);
       if (!there) return;
       const page = { notice: back > 0 ? "notice-undone" : "notice-redone", offer: false };
