@@ -114,6 +114,8 @@ fn every_finding_is_one_that_its_number_explains() {
             };
             let explained = finding(&format!("PW{number}"), &words);
             let said = words.text(&one.message);
+            let hint = one.hint.as_ref().map(|hint| words.text(hint)).unwrap_or_default();
+            assert!(!said.contains("{$") && !hint.contains("{$"), "{said} {hint}");
             let fits = |line: &str| {
                 let parts = line.split_once(": ").map_or("", |(_, text)| text).split('…');
                 let mut rest = Some(said.as_str());

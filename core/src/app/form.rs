@@ -431,7 +431,8 @@ fn name_missing(found: &mut Diagnostic, values: &Typed, control: &Control) {
     let names = text.map(|text| expression::names(control.dialect, text)).unwrap_or_default();
     let missing = |name: &String| expression::is_parameter(name) && expression::begun(control, name).is_none();
     if let Some(name) = names.into_iter().find(missing) {
-        *found = Diagnostic { param: found.param, ..own::NO_VALUE.finding().text("name", name) };
+        let told = own::NO_VALUE.finding().text("name", &*name).hint_text("name", name);
+        *found = Diagnostic { param: found.param, ..told };
     }
 }
 

@@ -9,7 +9,10 @@ use crate::syntax::Program;
 /// Notes at the fields of a call. They say how the program works, and nothing against it.
 pub fn arrivals(program: &Program, site: &CallSite) -> Vec<Diagnostic> {
     let line = |origin: &Origin| program.line_of(origin.place.start) + 1;
-    let missing = site.missing.iter().map(|(name, variable)| own::NO_VALUE.finding().text("name", variable).at(*name));
+    let missing = site
+        .missing
+        .iter()
+        .map(|(name, variable)| own::NO_VALUE.finding().text("name", variable).hint_text("name", variable).at(*name));
     let mut notes: Vec<_> = missing.collect();
     for (name, origins) in &site.origins {
         let many = site.is_of_many(name);

@@ -57,7 +57,7 @@ pub fn variables(program: &Program, site: &CallSite, name: &str, typed: &str) ->
     };
     let mut names = BTreeSet::new();
     places_in(program, id, &mut names);
-    let found = names.into_iter().filter(|name| !name.starts_with('#'));
+    let found = names.into_iter().filter(|name| !name.ends_with('#'));
     found.map(|name| variable(program, word, id, name, wanted)).collect()
 }
 
@@ -429,5 +429,8 @@ mod tests {
         let text = "#101=50\nG65 P9001\nX#101\n";
         let program = read(Dialect::Nct, text.as_bytes());
         assert_eq!(Reads::of(&program, "#101").found.len(), 1);
+        let all = of(Dialect::Nct, "#101=40\nG101 X[#101+1.5]\n", "X", "50");
+        assert_eq!(all[0].change.as_ref().unwrap().value, "48.5");
+        assert_eq!(of(Dialect::Nct, "#101=40\nG101 X#[#101]\n", "X", "50").len(), 1);
     }
 }

@@ -264,7 +264,10 @@ fn coarse(source: &Source, list: &ArgumentList) -> Option<Diagnostic> {
     let number = source.inputs.given(names::KNUM).filter(|_| list.position(names::KNUM).is_some())?;
     let settable = (1.0..=99.0).contains(&number) && number.fract() == 0.0;
     let coarse = settable && source.control.number(newer::COARSE) == 1.0;
-    let found = || own::WRITE_COARSE.finding().number("value", number).number("coarse", number + 10_000.0);
+    let found = || {
+        let told = own::WRITE_COARSE.finding().number("value", number).number("coarse", number + 10_000.0);
+        told.hint_number("coarse", number + 10_000.0)
+    };
     coarse.then(|| found().at(names::KNUM))
 }
 
