@@ -47,8 +47,8 @@ export async function launch(setup = "neither") {
 
 // Opens the page in a fresh profile, at the form of a first visit. `problems` fills with everything that must not
 // happen: errors in the console, uncaught errors, failed answers, requests to other origins. `options` are
-// Playwright's (viewport, colorScheme, …); a test of the page without a network asks for `serviceWorkers: "allow"`: what
-// the worker fetches ahead costs each new profile a second of a processor.
+// Playwright's (viewport, colorScheme, …); a test of the page without a network asks for `serviceWorkers: "allow"`:
+// what the worker fetches ahead costs each new profile a second of a processor.
 export async function open(browser, { path = "#measure", ...options } = {}) {
   const usual = { viewport: { width: 1280, height: 800 }, locale: "en-GB", serviceWorkers: "block" };
   const context = await browser.newContext({ ...usual, ...options });

@@ -437,8 +437,8 @@ impl Practice {
         Practice::default()
     }
 
-    /// `PracticeRequest` → `PracticeView`, and what is to be seen since the mask was opened. The answer is that of a new
-    /// session; lines that begin with those of the last request are carried out from there.
+    /// `PracticeRequest` → `PracticeView`, and what is to be seen since the mask was opened. The answer is that of a
+    /// new session; lines that begin with those of the last request are carried out from there.
     ///
     /// # Errors
     /// A request or a setup of the wrong shape, or a control that does not measure in JOG.

@@ -314,7 +314,8 @@ fn a_call_that_is_left_out_moves_no_other() {
     let (_, setup) = hole(WIDE, vec![size(0.02, 0.0)], 60, Mode::Production);
     let call = |set: u32| format!("_MVAR=1 _SETVAL={set} _TNUM=20 _KNUM=2001 _PRNUM=1\nCYCLE977\n");
     let text = format!(
-        "G17 G54 G90 T9 D1 M6\nG0 X0 Y0\nZ-10\n_TUL=0.5 _TLL=-0.5 _TDIF=0.6 _TSA=1 _FA=2\n{}IF _OVR[4]<50\n{}ENDIF\n{}M30\n",
+        "G17 G54 G90 T9 D1 M6\nG0 X0 Y0\nZ-10\n_TUL=0.5 _TLL=-0.5 _TDIF=0.6 _TSA=1 _FA=2\n\
+         {}IF _OVR[4]<50\n{}ENDIF\n{}M30\n",
         call(50),
         call(49),
         call(51)
