@@ -1,4 +1,5 @@
-//! Addresses that are written like elements of an array: `SPOS[1]=AC(90)`, `S[1]=500`, `M[1]=3`, `AX[NAME]=5`, `G[8]=2`.
+//! Addresses that are written like elements of an array: `SPOS[1]=AC(90)`, `S[1]=500`, `M[1]=3`, `AX[NAME]=5`,
+//! `G[8]=2`.
 
 use super::{Address, Datum, Interpreter, Words, declare, evaluate, locals, noted, other_axes, system};
 use crate::diagnostic::{Severity, Span};

@@ -289,8 +289,8 @@ fn around_axis(run: &Interpreter, path: &Path, [from, to]: [[f64; 3]; 2], around
 }
 
 /// `MEAS=1 G1 X100`, on NCT `G31 X100`: stops at the signal; `$AC_MEA`, `$AA_MW`, `$AA_MM` tell where (B:12790-12856),
-/// on NCT #5061 (N 183). The sign is the edge: with `MEAS=-1` the signal is that of a stylus that comes free. Behind the
-/// signal of `MEAW` the stylus is deflected until the end.
+/// on NCT #5061 (N 183). The sign is the edge: with `MEAS=-1` the signal is that of a stylus that comes free. Behind
+/// the signal of `MEAW` the stylus is deflected until the end.
 fn measured(run: &mut Interpreter, path: &Path, measure: Measure, to: [f64; 3], feed: f64) -> Result<(), Halt> {
     let to = machine(run, path.suppress, to);
     let input = measure.input.abs();

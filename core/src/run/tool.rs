@@ -60,8 +60,8 @@ pub fn sinumerik(run: &mut Interpreter, found: &Words) -> Result<(), Problem> {
     Ok(())
 }
 
-/// The edge after a change where no D was programmed with it: the number in MD 20270 ($MC_CUTTING_EDGE_DEFAULT), with -1
-/// that of the tool before (function manual W1 11/2006, 2.1.1); D1 where the machine does not say.
+/// The edge after a change where no D was programmed with it: the number in MD 20270 ($MC_CUTTING_EDGE_DEFAULT), with
+/// -1 that of the tool before (function manual W1 11/2006, 2.1.1); D1 where the machine does not say.
 fn behind_change(run: &Interpreter) -> i64 {
     match run.sim.control.data.get("MD20270") {
         Some(Value::Number(number)) if *number == -1.0 => run.sim.control.edge,

@@ -250,7 +250,8 @@ fn a_loop_that_waits_for_nothing_of_the_machine_never_ends() {
     assert_eq!(key(&strict("WHILE $A_IN[10]==0\nENDWHILE\nM30\n")), Some("run-system-variable"));
 }
 
-// oracle: manual (Job planning 03/2006: `$AC_TIMER[n]` counts seconds from what was written; a negative one stands still)
+// oracle: manual (Job planning 03/2006: `$AC_TIMER[n]` counts seconds from what was written; a negative one stands
+// still)
 #[test]
 fn a_clock_runs_while_axes_move_and_wait() {
     let number = |text: &str, name: &str| clean(text).control.number(name);

@@ -27,7 +27,8 @@ fn omitted_arguments_have_their_default() {
 #[test]
 fn a_program_asks_which_parameters_its_call_gives() {
     let part = "M30\n%_N_PART_SPF\nPROC PART(REAL A,VAR REAL B,REAL C=4)\n\
-        R1=100*$P_SUBPAR[1]+10*$P_SUBPAR[2]+$P_SUBPAR[3]\nIF NOT $P_SUBPAR[1] AND (R9==0)\nR9=1\nPART(1)\nENDIF\nR2=R1\nRET";
+        R1=100*$P_SUBPAR[1]+10*$P_SUBPAR[2]+$P_SUBPAR[3]\n\
+        IF NOT $P_SUBPAR[1] AND (R9==0)\nR9=1\nPART(1)\nENDIF\nR2=R1\nRET";
     for (call, given) in [("PART(1,R5,0)", 111.0), ("PART(0)", 100.0), ("R9=1\nPART(,R5)", 10.0), ("R9=1\nPART", 0.0)] {
         assert_eq!(number(&format!("{call}\n{part}"), "R2"), given, "{call}");
     }

@@ -20,8 +20,8 @@ fn tools_change_with_m6() {
     assert!(matches!(outcome.stop, Some(Stop::Fault(message)) if message.key == "run-no-tool"));
 }
 
-// oracle: manual (function manual W1 11/2006, 2.1.1: D1 to D9 activate an edge of the active tool; MD 20270 says the edge
-// after a change); the mill is 80 mm long, the probe 50
+// oracle: manual (function manual W1 11/2006, 2.1.1: D1 to D9 activate an edge of the active tool; MD 20270 says the
+// edge after a change); the mill is 80 mm long, the probe 50
 #[test]
 fn an_edge_behind_a_preselected_tool_is_of_the_one_in_use() {
     let tool_at = |text: &str| {

@@ -34,7 +34,8 @@ impl<'a> Forces<'a> {
     }
 
     fn is_tool(&self, word: &Word) -> bool {
-        matches!(&word.kind, WordKind::Address { name, .. } | WordKind::Assign { name, .. } if self.program.is(*name, "T"))
+        let (WordKind::Address { name, .. } | WordKind::Assign { name, .. }) = &word.kind else { return false };
+        self.program.is(*name, "T")
     }
 
     fn tool(&self, state: &mut State, word: &Word, known: Known) {

@@ -281,7 +281,8 @@ fn comments(source: &Source, said: &[Name], words: Words) -> String {
         if label.is_empty() {
             continue; // a value without a field
         }
-        let line = format!("{}: {label}", param.name); // without the value: that of the call may change, the comment stays
+        // without the value: that of the call may change, the comment stays
+        let line = format!("{}: {label}", param.name);
         let line: String = line.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
         text.push_str(&(Grammar::of(source.cycle.dialect).commented)(&line));
     }
