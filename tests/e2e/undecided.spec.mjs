@@ -25,7 +25,7 @@ const question = page => field(page, "_SETVAL").locator(".replaced");
 const keep = page => question(page).getByRole("button", { name: "Keep R2" });
 const undo = page => page.locator("#undo");
 const notice = (page, text) => page.locator(`.notice:has-text("${text}")`);
-const NOT_TAKEN = "The program keeps what it has";
+const NOT_TAKEN = "The program stays as it is";
 const call = (page, cycle) => page.locator(`.call-row:has-text("${cycle}")`);
 
 /** Types over what the field holds, key by key. */

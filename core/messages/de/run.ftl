@@ -166,4 +166,4 @@ definition-many = { $name } hat { $elements } Elemente, die Liste aber { $values
 definition-many-hint = Das Feld größer definieren oder die überzähligen Werte löschen.
 search-ended = Der Satzsuchlauf endet hier. Der Lauf geht von { $position } weiter, wo die durchsuchten Sätze enden; keine Achse fährt dorthin.
 search-ended-hint = Die Handbücher sagen nicht, auf welchem Weg die Achsen nach NC-Start dorthin fahren: prüfen, ob er frei ist.
-run-measuring-input = { $word } wartet auf ein Signal an einem anderen Messeingang als { $input }, wo der Taster laut _CHBIT ist. Trotzdem gemessen; an der Maschine bleibt das Signal vielleicht aus.
+run-measuring-input = { $word }: Laut _CHBIT ist der Taster an Eingang { $input }. Trotzdem gemessen; die Maschine gibt vielleicht kein Signal.

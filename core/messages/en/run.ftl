@@ -166,4 +166,4 @@ definition-many = { $name } has { $elements } elements, but the list has { $valu
 definition-many-hint = Define the array larger, or delete the values behind its last element.
 search-ended = The block search ends here. The run goes on from { $position }, where the searched blocks end; no axis moves there.
 search-ended-hint = The manuals do not say by which way the axes get there after NC start: check that it is free.
-run-measuring-input = { $word } asks for a signal at another measuring input than { $input }, where the probe is by _CHBIT. Measured all the same; on the machine there may be no signal.
+run-measuring-input = { $word }: by _CHBIT the probe is at input { $input }. Measured all the same; the machine may give no signal.

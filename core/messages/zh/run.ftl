@@ -166,4 +166,4 @@ definition-many = { $name } 有 { $elements } 个元素，而列表有 { $values
 definition-many-hint = 请加大数组，或删除多余的值。
 search-ended = 程序段搜索在此结束。运行从 { $position } 继续，即被搜索的程序段的终点；没有轴移动到该处。
 search-ended-hint = 手册没有说明 NC 启动后各轴按什么路径到达该处：请检查路径上没有障碍。
-run-measuring-input = { $word } 等待的测量输入端不是 { $input }，而 _CHBIT 说测头接在那里。仍按有信号测量；在机床上可能没有信号。
+run-measuring-input = { $word }：按 _CHBIT，测头接在输入端 { $input }。仍进行了测量；机床上可能没有信号。

@@ -62,7 +62,7 @@ const SILENT: &[(&str, &str)] = &[
     ("_CBIT[6]", "lines of the log, which is off in these calls"),
     ("_CBIT[7]", "orientable tool carriers: the setup has none"),
     ("_CBIT[11]", "header of the log, which is off in these calls"),
-    ("_CHBIT[0]", "the input at which the probe is connected: the probe of the setup is always at the right one"),
+    ("_CHBIT[0]", "the input at which the probe is connected, as a cycle has it; MEAS of a program is told of another"),
     ("_CHBIT[1]", "the same of the tool probe"),
     ("_CHBIT[22]", "by how much the last touch of a turning tool is slower, no manual tells"),
 ];
