@@ -1,9 +1,9 @@
 //! Data that nothing in the simulation reads. The form says so beside each, so that no setting is without effect in
 //! silence; a test holds the list against the code (`core/tests/idle.rs`).
 
-/// User data: they concern pictures and screens of the real control, inputs of JOG, or what the manual names and does not
-/// describe (B:13547-13548, B:13834-13837, B:13240-13244, B:14170-14200), or where it does not say by how much: the
-/// last touch of a rotating tool is slower (B:14043-14045).
+/// User data: they concern pictures and screens of the real control, inputs of JOG, or what the manual names and does
+/// not describe (B:13547-13548, B:13240-13244, B:14170-14200), or where it does not say by how much: the last touch of
+/// a rotating tool is slower (B:14043-14045).
 const USER: [&str; 13] = [
     "_CBIT[7]", "_CHBIT[22]", "_MC_MTL", "E_MESS_F_FAK2", "E_MESS_IS_METRIC", "E_MESS_IS_METRIC_SPEZ_VAR",
     "E_MESS_MS_IN", "E_MESS_MS_MONO", "E_MESS_MS_SOUTH", "E_MESS_MT_CF", "E_MESS_MT_COMP", "E_MESS_MT_IN",
