@@ -145,6 +145,12 @@ impl Occurrences {
     }
 }
 
+/// What belongs to the calls of a run, by the call and how often it came before.
+pub(super) fn by_occurrence<T>(all: impl Iterator<Item = (OfCall, T)>) -> BTreeMap<(OfCall, usize), T> {
+    let mut came = Occurrences::default();
+    all.map(|(call, one)| (came.next(call), one)).collect()
+}
+
 /// A result of a run.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]

@@ -201,8 +201,8 @@ mod tests {
         }
     }
 
-    /// Data of JOG and those that it shares with the cycles (B:14157-14368,
-    /// B:2746-2754, B:13346, B:3984), data of the tool, the control's own.
+    /// Data of JOG and those that it shares with the cycles (B:14157-14368, B:2746-2754, B:13346, B:3984), data of the
+    /// tool, the control's own.
     const KNOWN: [&str; 8] = ["_JM_", "E_MESS_", "_WP", "_TP", "_CVAL", "_SI", "$TC_DP", "MM_"];
 
     // oracle: manual (B:14157-14368): JOG has no parameters, it has masks and data of its own

@@ -6,6 +6,7 @@ use super::settings::{self, TOOL_PROBE};
 use super::touching::alarm;
 use crate::catalogue::sinumerik::state;
 use crate::control::Control;
+use crate::control::probe::PROBE;
 use crate::geometry::{Dir, TOLERANCE, Wcs};
 use crate::machine::{Machine, MotionKind, Stop};
 use std::f64::consts::TAU;
@@ -44,7 +45,7 @@ impl Probe {
     /// Reads the data and checks what must be true before the first motion; error: number of the alarm.
     fn of(control: &Control, sideways: bool) -> Result<Probe, u32> {
         let edge = state::with_edge(control)?;
-        if matches!(edge.kind, 400..=599 | 710) {
+        if matches!(edge.kind, 400..=599 | PROBE) {
             return Err(61314); // A:15855
         }
         let number = control.number(TOOL_PROBE) as i64;

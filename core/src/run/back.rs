@@ -1,7 +1,7 @@
 //! `RET` with parameters (Job planning, parameterizable subprogram return): over several program levels, to a block of
 //! the program that goes on.
 
-use super::{Datum, Interpreter, Next, branch, expression, repeat, subprogram};
+use super::{Datum, Interpreter, Next, branch, expression, subprogram};
 use crate::diagnostic::Span;
 use crate::problem::Problem;
 use crate::syntax::tree::{Expr, ExprId};
@@ -44,10 +44,7 @@ pub fn written(run: &Interpreter, place: Span, value: Option<ExprId>) -> Result<
     if levels < 1.0 || levels.fract() != 0.0 {
         return Err(Problem::new("run-range", place, "RET"));
     }
-    let target = value(0).map(|target| match target {
-        Datum::Number(number) => format!("N{number}"),
-        other => other.shown().trim().to_ascii_uppercase(),
-    });
+    let target = value(0).map(|target| branch::named(target).trim().to_owned());
     let target = target.filter(|target| !target.is_empty());
     Ok(Back { target, behind: number(1)? != 0.0, levels: levels as usize, place })
 }
@@ -61,13 +58,8 @@ pub fn go(run: &mut Interpreter, back: &Back) -> Result<Next, Problem> {
         return Err(Problem::new("run-range", back.place, "RET"));
     }
     let Some(level) = (0..back.levels).map_while(|_| subprogram::close(run)).last() else { return Ok(Next::End) };
-    let call = level.call;
-    let Some(target) = &back.target else {
-        return Ok(Next::Jump(if level.again { call } else { repeat::after(run, call) }));
-    };
-    let blocks = branch::places(run, target);
-    let forward = blocks.iter().find(|block| **block > call);
-    let found = forward.or_else(|| blocks.iter().rfind(|block| **block <= call));
-    let block = found.ok_or_else(|| Problem::new("run-label", back.place, target.as_str()))?;
+    let Some(target) = &back.target else { return Ok(subprogram::goes_on(run, &level)) };
+    let [forward, backward] = branch::nearest(run, target, level.call);
+    let block = forward.or(backward).ok_or_else(|| Problem::new("run-label", back.place, target.as_str()))?;
     Ok(Next::Jump(block + usize::from(back.behind)))
 }

@@ -109,9 +109,7 @@ pub fn not_alone(run: &Interpreter, word: &Word) -> Problem {
 pub fn jump(run: &Interpreter, place: Span, value: Option<ExprId>, at: usize) -> Result<Option<usize>, Problem> {
     let word = run.program.name(place);
     let target = value.map(|id| target(run, id)).transpose()?.unwrap_or_default();
-    let blocks = places(run, &target);
-    let forward = blocks.iter().copied().find(|block| *block > at);
-    let backward = blocks.iter().copied().rfind(|block| *block <= at);
+    let [forward, backward] = nearest(run, &target, at);
     let found = match &*word {
         "GOTOF" => forward,
         "GOTOB" => backward,
@@ -132,10 +130,22 @@ pub fn target(run: &Interpreter, id: ExprId) -> Result<String, Problem> {
     {
         return Ok(run.program.name(*name));
     }
-    Ok(match evaluate(run, id)? {
+    Ok(named(&evaluate(run, id)?))
+}
+
+/// The target that a value tells.
+pub fn named(value: &Datum) -> String {
+    match value {
         Datum::Number(number) => format!("N{number}"),
         other => other.shown().to_ascii_uppercase(),
-    })
+    }
+}
+
+/// The block of a target in the present program that comes next behind a block, and the last one before.
+pub fn nearest(run: &Interpreter, target: &str, at: usize) -> [Option<usize>; 2] {
+    let blocks = places(run, target);
+    let forward = blocks.iter().copied().find(|block| *block > at);
+    [forward, blocks.into_iter().rfind(|block| *block <= at)]
 }
 
 /// Blocks of a label or a block number in the present program.

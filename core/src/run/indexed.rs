@@ -52,7 +52,7 @@ fn by_group(run: &mut Interpreter, group: ExprId, value: ExprId, span: Span, fou
     let (group, number) = (group?.number(), number?.number());
     match group.zip(number).and_then(|(group, number)| system::function(group, number)) {
         Some(code) => {
-            let value = Datum::Number(code);
+            let value = Datum::Number(code.into());
             found.addresses.push(Address { name: "G".to_owned(), extension: None, mode: None, value, span });
         }
         None => noted::without(run, "run-passed", span, "G[]"),

@@ -159,7 +159,11 @@ fn write_one(run: &mut Interpreter, key: &str, value: &Datum, place: Span) -> Re
     if !key.starts_with('$') && known(key, place).is_err() && own_parameters::make(run, stem(key))? {
         return write_one(run, key, value, place);
     }
-    let value = &as_held(key, value).ok_or_else(|| Problem::new("run-range", place, key))?;
+    let held = match held_as(key).filter(|_| value.number().is_some()) {
+        Some(kind) => Some(kind.converted(value).ok_or_else(|| Problem::new("run-range", place, key))?),
+        None => None,
+    };
+    let value = held.as_ref().unwrap_or(value);
     let Some(stored) = value.value() else { return Err(Problem::new("run-not-a-number", place, key)) };
     if matches!(value, Datum::Text(text) if text.chars().count() > TEXT) {
         return Err(Problem::new("run-text-long", place, key).number("limit", TEXT as f64));
@@ -216,16 +220,13 @@ fn write_variable(run: &mut Interpreter, key: &str, value: &Datum, place: Span) 
 /// System variables of type INT that a program writes.
 const WHOLE: [&str; 2] = ["$AC_MARKER", "$AN_MARKER"];
 
-/// A value as the datum of this name holds it: INT rounded, BOOL 0 or 1. None: no INT is so large.
-fn as_held(key: &str, value: &Datum) -> Option<Datum> {
-    let kind = gud::find(stem(key)).map(|gud| gud.kind);
-    let held = match kind {
-        _ if WHOLE.contains(&stem(key)) => Type::Int,
-        Some(Kind::Integer) => Type::Int,
-        Some(Kind::Bool) => Type::Bool,
-        _ => return Some(value.clone()),
-    };
-    if value.number().is_some() { held.converted(value) } else { Some(value.clone()) }
+/// As what a datum that is no REAL holds numbers: INT rounds, BOOL has 0 and 1.
+fn held_as(key: &str) -> Option<Type> {
+    match gud::find(stem(key)).map(|gud| gud.kind) {
+        Some(Kind::Integer) => Some(Type::Int),
+        Some(Kind::Bool) => Some(Type::Bool),
+        _ => WHOLE.contains(&stem(key)).then_some(Type::Int),
+    }
 }
 
 fn holds_text(key: &str) -> bool {

@@ -165,6 +165,11 @@ pub fn leave(run: &mut Interpreter) -> Next {
         return Next::Jump(level.blocks.start);
     }
     let Some(level) = close(run) else { return Next::End };
+    goes_on(run, &level)
+}
+
+/// Where the caller goes on behind a program that has ended.
+pub fn goes_on(run: &mut Interpreter, level: &Level) -> Next {
     Next::Jump(if level.again { level.call } else { repeat::after(run, level.call) })
 }
 

@@ -189,6 +189,9 @@ fn mask(run: &Interpreter, key: &str) -> f64 {
     numbers.into_iter().map(|index| 2.0_f64.powi(index as i32)).fold(0.0, |all, bit| all + bit)
 }
 
+/// Group 13.
+const UNITS: [UnitFunction; 4] = [UnitFunction::G70, UnitFunction::G71, UnitFunction::G700, UnitFunction::G710];
+
 /// Active G function of a group: 1 motion, 6 plane (G17 is 1), 7 compensation, 8 zero offset (G500 is 1, G54 2), 13
 /// units (G70, G71, G700, G710), 14 absolute or incremental, 29 diameters.
 fn group(run: &Interpreter, key: &str) -> Option<f64> {
@@ -202,9 +205,7 @@ fn group(run: &Interpreter, key: &str) -> Option<f64> {
         "6" => control.plane as usize,
         "7" => run.modal.compensation as usize,
         "8" => control.settable,
-        "13" => [UnitFunction::G70, UnitFunction::G71, UnitFunction::G700, UnitFunction::G710]
-            .iter()
-            .position(|function| *function == control.unit_function())?,
+        "13" => UNITS.iter().position(|function| *function == control.unit_function())?,
         "14" => usize::from(!run.modal.absolute),
         "29" => control.transverse as usize,
         _ => return None,
@@ -213,21 +214,18 @@ fn group(run: &Interpreter, key: &str) -> Option<f64> {
 }
 
 /// The G function that `G[group]=number` means, in the groups of [`group`] that are functions with a number.
-pub fn function(group: f64, number: f64) -> Option<f64> {
-    let place = number - 1.0;
-    let among = |first: f64, count: f64| (0.0..count).contains(&place).then_some(first + place);
-    if place.fract() != 0.0 || group.fract() != 0.0 {
-        return None;
-    }
-    match group as i64 {
-        1 => among(0.0, 4.0),
-        6 => among(17.0, 3.0),
-        7 => among(40.0, 3.0),
-        8 if place == 0.0 => Some(500.0),
-        8 if place < 5.0 => Some(53.0 + place).filter(|_| place > 0.0),
-        8 => Some(500.0 + place).filter(|code| *code < 600.0),
-        13 => [70.0, 71.0, 700.0, 710.0].get(usize::try_from(place as i64).ok()?).copied(),
-        14 => among(90.0, 2.0),
+pub fn function(group: f64, number: f64) -> Option<u16> {
+    let whole = |value: f64| (value.fract() == 0.0 && (1.0..=u16::MAX.into()).contains(&value)).then_some(value as u16);
+    let place = whole(number)? - 1;
+    match (whole(group)?, place) {
+        (1, 0..4) => Some(place),
+        (6, 0..3) => Some(17 + place),
+        (7, 0..3) => Some(40 + place),
+        (8, 0) => Some(500),
+        (8, 1..5) => Some(53 + place),
+        (8, 5..100) => Some(500 + place),
+        (13, _) => UNITS.get(usize::from(place)).map(|function| *function as u16),
+        (14, 0..2) => Some(90 + place),
         _ => None,
     }
 }

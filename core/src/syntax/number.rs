@@ -101,7 +101,7 @@ mod tests {
         assert_eq!(decimal("9".repeat(400).as_bytes()), None);
     }
 
-    // oracle: hand (`1234.9876Ex-7` is the tester's own; as EX in a program; 1e5 is no number of the language)
+    // oracle: hand (EX as in a program; 1e5 is no number of the language)
     #[test]
     fn texts_say_numbers_as_programs_do() {
         for (text, number) in [

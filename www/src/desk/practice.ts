@@ -2,6 +2,7 @@
 // A line that does nothing is told, and leaves everything as it was.
 
 import type { ProgramCore } from "../core/program";
+import { linesOf } from "../eol";
 import { parseNumber, plain } from "../numbers";
 import { readText } from "../state/files";
 import { AS_SET_UP, type JogState, profile, type State } from "../state/state";
@@ -210,7 +211,7 @@ export function createPractice(store: Store, core: () => ProgramCore | null): Pr
       const known = PIECE.exec(text)?.groups?.piece;
       const pieces = store.state.jog.seen?.areas.flatMap(area => area.masks) ?? [];
       const piece = pieces.find(one => one.piece === known)?.piece ?? null;
-      const written = text.split(/\r\n?|\n/).map((line, place) => ({
+      const written = linesOf(text).map((line, place) => ({
         line: line.replace(/[;#].*$/, "").trim(),
         number: place + 1,
       }));

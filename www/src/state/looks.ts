@@ -1,5 +1,7 @@
 // What a text looks like that was opened as a program: some are something else, and in some no line reads as a block.
 
+import { linesOf } from "../eol";
+
 const MARKUP: readonly (readonly [kind: string, begins: RegExp])[] = [
   ["HTML", /^<(?:!doctype\s+html|html|head|body)\b/i],
   ["XML", /^<(?:[?!]|[a-z_][\w:.-]*[\s/>])/i],
@@ -32,9 +34,7 @@ const BLOCK = [
 
 /** Whether one of the first lines reads as a block, or there is none. */
 export function looksLikeProgram(text: string): boolean {
-  const lines = text
-    .slice(0, FIRST)
-    .split(/\r\n?|\n/)
+  const lines = linesOf(text.slice(0, FIRST))
     .map(line => line.trim())
     .filter(Boolean);
   return !lines.length || lines.some(line => BLOCK.some(begins => begins.test(line)));

@@ -5,6 +5,7 @@ import type { Actions } from "../desk/actions";
 import { difference } from "../difference";
 import { el, on, setAttribute, setText, show } from "../dom";
 import { ENCODINGS, type Encoding, hasAll, lacking } from "../encoding";
+import { lineAt } from "../eol";
 import type { ProgramFile } from "../state/files";
 import { t } from "../texts";
 
@@ -134,7 +135,7 @@ export function createOrigin(
       show(told, at >= 0);
       if (at < 0) return;
       saveAs.draw(program, now);
-      const line = program.slice(0, at).split(/\r\n?|\n/).length;
+      const line = lineAt(program, at);
       setText(
         text,
         t("encoding-lacking", {

@@ -4,6 +4,7 @@
 
 import type { Derived } from "../desk/derive";
 import { el } from "../dom";
+import { linesOf } from "../eol";
 import { fileOf } from "../state/files";
 import type { State } from "../state/state";
 import { language, say, t } from "../texts";
@@ -63,7 +64,7 @@ function view(stage: Stage, state: State, derived: Derived, { drawStill }: Draw)
 }
 
 function program(text: string): HTMLElement {
-  const lines = text.split(/\r\n?|\n/);
+  const lines = linesOf(text);
   if (lines.at(-1) === "") lines.pop();
   const more = lines.length - MOST_LINES;
   return el(

@@ -3,7 +3,7 @@
 use super::{Certain, Draws, MOST, Spread, alone, budget, causes::Cause, certain, grown};
 use crate::app::answer::Figure;
 use crate::app::beside::Beside;
-use crate::app::run::{Occurrences, OfCall, RunAnswer, answers};
+use crate::app::run::{Occurrences, OfCall, RunAnswer, answers, by_occurrence};
 use crate::app::series::{Prepared, SeriesRequest, prepared};
 use crate::app::start::Machine;
 use crate::app::{Error, ProgramText};
@@ -13,7 +13,6 @@ use crate::machine::Setup;
 use crate::message::Message;
 use crate::run::Outcome;
 use serde::{Deserialize, Serialize};
-use std::collections::BTreeMap;
 
 /// A program whose measurements are to be judged.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
@@ -165,9 +164,7 @@ impl<'a> Measured<'a> {
     /// Takes a run: a call counts where it came as often before.
     fn add(&mut self, setup: &Setup, outcome: &Outcome, growth: f64) {
         self.finished += u32::from(outcome.finished());
-        let mut came = Occurrences::default();
-        let now = answers(setup, outcome).into_iter().map(|one| (came.next(one.call), one));
-        let mut now: BTreeMap<(OfCall, usize), RunAnswer> = now.collect();
+        let mut now = by_occurrence(answers(setup, outcome).into_iter().map(|one| (one.call, one)));
         let mut came = Occurrences::default();
         for (known, values) in self.known.iter().zip(&mut self.values) {
             let Some(now) = now.remove(&came.next(known.call)) else { continue };

@@ -81,14 +81,15 @@ impl Practice {
         };
         let mut refused = wrong.map(|Wrong { line, message, hint }| (line, message, Some(hint)));
         for line in &lines[kept.lines.len()..] {
-            if let Err(why) = kept.carry_out(line) {
+            if let Err(why) = kept.carry_out(line, lines.len()) {
                 refused = Some(why);
                 break;
             }
         }
         let refusal = |(line, message, hint)| PracticeRefusal { left: behind(&script, line), line, message, hint };
         let course = kept.course.clone();
-        self.kept = Some(kept);
+        // what a refused line further up left is not gone on from; before the last one it stands again
+        self.kept = (kept.lines.len() + 1 >= lines.len()).then_some(kept);
         Ok((course, refused.map(refusal)))
     }
 }
@@ -104,16 +105,18 @@ impl Kept {
         Some(Kept { asked: self.asked, lines, course, before: None })
     }
 
-    /// A line more; one that is refused leaves everything as it was.
-    fn carry_out(&mut self, line: &Line) -> Result<(), (u32, Message, Option<Message>)> {
-        let before = self.course.clone();
+    /// A line more of so many; the last one leaves everything as it was where it is refused.
+    fn carry_out(&mut self, line: &Line, count: usize) -> Result<(), (u32, Message, Option<Message>)> {
+        let is_last = self.lines.len() + 1 == count;
+        self.before = is_last.then(|| Box::new(self.course.clone()));
         if let Err(message) = self.course.carry_out(line) {
             let hint = help::cure_of(&message, self.course.session.mask());
-            self.course = before;
+            if let Some(before) = self.before.take() {
+                self.course = *before;
+            }
             return Err((line.number, message, hint));
         }
         self.lines.push(line.clone());
-        self.before = Some(Box::new(before));
         Ok(())
     }
 }

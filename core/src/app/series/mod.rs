@@ -9,7 +9,7 @@ mod tests;
 
 use super::answer::Verdict;
 use super::outcome::Raised;
-use super::run::{Occurrences, OfCall};
+use super::run::{Occurrences, OfCall, by_occurrence};
 use crate::control::Control;
 use crate::machine::series::Mode;
 use crate::message::Message;
@@ -22,7 +22,6 @@ pub use asked::{Prepared, SeriesExample, SeriesName, SeriesRequest, SeriesStart,
 use collect::Collected;
 pub use offered::{SeriesFollow, SeriesPreset};
 use serde::Serialize;
-use std::collections::BTreeMap;
 
 /// How the results of a program spread over many runs.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -269,9 +268,8 @@ pub fn series(prepared: &Prepared, told: &mut dyn FnMut(f64)) -> SeriesView {
             further();
             without.add(setup, outcome)
         });
-        let mut came = Occurrences::default();
-        let others = without.view(&setup.series).calls.into_iter().map(|other| (came.next(other.call), other.verdicts));
-        let mut others: BTreeMap<(OfCall, usize), Vec<SeriesShare>> = others.collect();
+        let others = without.view(&setup.series).calls.into_iter().map(|other| (other.call, other.verdicts));
+        let mut others = by_occurrence(others);
         let mut came = Occurrences::default();
         for call in &mut view.calls {
             call.uncorrected = others.remove(&came.next(call.call)).unwrap_or_default();

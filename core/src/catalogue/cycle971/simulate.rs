@@ -4,12 +4,13 @@ use super::params::{AUTOMATIC, CALIBRATE, INCREMENTAL, WORKPIECE};
 use super::{calibrate, measure};
 use crate::catalogue::prelude::*;
 use crate::catalogue::tool_probe::{Stand, correct, store};
+use crate::control::probe::PROBE;
 
 /// Runs the cycle from the present position, from which the probe can be reached.
 pub fn simulate(machine: &mut dyn Machine, inputs: &Inputs) -> Result<(), Stop> {
     store::begin(machine, inputs);
     let block = Block::for_tool(machine, inputs)?;
-    if matches!(machine.control().active_edge().map_or(0, |edge| edge.kind), 400..=599 | 710) {
+    if matches!(machine.control().active_edge().map_or(0, |edge| edge.kind), 400..=599 | PROBE) {
         return Err(alarm(machine, 61314)); // B:4157-4175, A:15855
     }
     carry_out(machine, WORKPIECE.holds(inputs), |machine, repetition| {
