@@ -1,6 +1,7 @@
 // What is written over the 3D view, of random calls in random views: nothing lies on anything else.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
+import { random } from "./random.mjs";
 import { modules, program } from "./sources.mjs";
 
 let sources, camera, scene, colours, places, motion, takeScene, lettering, core;
@@ -18,17 +19,6 @@ after(() => sources.close());
 
 const SEED = Number(process.env.PROBEWRIGHT_SEED ?? 1);
 const measure = words => 7 * words.length;
-
-/** Numbers from 0 to 1, the same ones for the same seed (mulberry32). */
-function random(seed) {
-  let state = seed;
-  return () => {
-    state = (state + 0x6d2b79f5) | 0;
-    let mixed = Math.imul(state ^ (state >>> 15), 1 | state);
-    mixed = (mixed + Math.imul(mixed ^ (mixed >>> 7), 61 | mixed)) ^ mixed;
-    return ((mixed ^ (mixed >>> 14)) >>> 0) / 2 ** 32;
-  };
-}
 
 /** The worked measurement of every variant, with its scene. */
 function* calls() {

@@ -1,6 +1,7 @@
 // Levels of the whole path, and what of it is in sight: plain functions, no browser.
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
+import { random } from "./random.mjs";
 import { modules } from "./sources.mjs";
 
 let sources, levels, camera;
@@ -10,17 +11,6 @@ before(async () => {
   camera = await sources.load("/src/preview/camera.ts");
 });
 after(() => sources.close());
-
-/** Numbers from 0 to 1, the same ones for each seed (mulberry32). */
-function random(seed) {
-  let state = seed;
-  return () => {
-    state = (state + 0x6d2b79f5) | 0;
-    let mixed = Math.imul(state ^ (state >>> 15), 1 | state);
-    mixed = (mixed + Math.imul(mixed ^ (mixed >>> 7), 61 | mixed)) ^ mixed;
-    return ((mixed ^ (mixed >>> 14)) >>> 0) / 2 ** 32;
-  };
-}
 
 /** Motions from place to place; `kind` of each; now and then one begins elsewhere. */
 function ways(count, place, kind = () => 1, jumps = () => false) {

@@ -80,6 +80,7 @@ describe("the drawings", () => {
   test("have captions that can be read, and follow the focus", async () => {
     const { context, page, problems } = await open(chrome.browser);
     await page.locator(".picture .caption").first().waitFor();
+    await page.locator(".tree:not([aria-busy])").waitFor({ state: "attached" });
     const { found, count } = await page.evaluate(unreadable);
     assert.ok(count > 100, `${count} variants`);
     assert.deepEqual(found, []);

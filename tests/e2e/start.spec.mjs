@@ -52,6 +52,15 @@ describe("a first visit", () => {
     await context.close();
   });
 
+  // oracle: hand (a first part lies off, and askew where its angle is measured: there is something to correct)
+  test("shows a part whose angle is corrected", async () => {
+    const { context, page } = await visit();
+    await tile(page, "angle").click();
+    await primary(page).click();
+    await page.locator(".answer", { hasText: "C +0.120°" }).waitFor();
+    await context.close();
+  });
+
   // oracle: hand
   test("does so with the keyboard alone", async () => {
     const { context, page } = await visit();

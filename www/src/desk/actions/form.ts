@@ -37,6 +37,8 @@ export interface FormActions {
 
 /** How far the part of a first visit lies off, mm. */
 export const LIES_OFF = { dx: 0.084, dy: -0.046 };
+/** And how far askew where its angle is measured, degree. */
+const ASKEW = { tilt: 0.12 };
 
 /**
  * The core's own machine becomes one of the other sort with its usual plane, where the task is for another sort than
@@ -96,8 +98,9 @@ export function createFormActions({ store, catalogue, now, replace }: Acting): F
       const own: Patch = { form: { control: cycle.control, open: null, around: null } };
       const { example } = inPlane(chosen, planeOf(patched(state, suited, own)));
       const { errors } = state.part;
-      const lies: Patch =
-        state.page.changed === 0 ? { part: { errors: { ...errors, part: { ...errors.part, ...LIES_OFF } } } } : {};
+      const askew = chosen.aim?.element === "angle" ? ASKEW : {};
+      const part = { ...errors.part, ...LIES_OFF, ...askew };
+      const lies: Patch = state.page.changed === 0 ? { part: { errors: { ...errors, part } } } : {};
       store.update(remember(state), suited, own, lies, {
         form: { cycle: cycle.cycle, values: { ...example, ...given }, resets: {}, touched: {}, checked: false },
         desk: { sought: null },
