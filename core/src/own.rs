@@ -238,7 +238,6 @@ sentences! {
     WRITE_EXPRESSION 191 Note "write-expression" "";
     CONVERT_EXPRESSION 192 Error "convert-expression" "convert-expression-hint";
     REVISE_TAKEN 193 Note "revise-taken" "";
-    REVISE_KEPT 193 Note "revise-kept" "";
     REVISE_SHARED 193 Note "revise-shared" "";
     NEWER_LOST 194 Error "newer-lost" "newer-lost-hint";
     NEWER_LOST_BETWEEN 194 Error "newer-lost-between" "newer-lost-hint";

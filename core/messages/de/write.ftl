@@ -46,7 +46,6 @@ convert-macro = Der Aufruf bleibt unverändert: Ein Makro liefert mehrere Werte 
 convert-macro-hint = Zuerst im Programm das Makro durch seinen Text ersetzen.
 
 revise-taken = Von der neuen Messvariante nicht verwendet und aus dem Aufruf entfernt: { $names }.
-revise-kept = { $name }={ $value } bleibt im Programm, obwohl die neue Messvariante den Wert nicht verwendet: Er ist ein Ausdruck.
 revise-shared = Von der neuen Messvariante nicht verwendet, für einen späteren Aufruf im Programm belassen: { $names }.
 variable-before = { $name } lässt sich nicht ändern: Keine Programmzeile vor dem Aufruf weist einen Wert zu.
 variable-several = { $name } lässt sich nicht ändern: Je nach Programmablauf wird der Wert in verschiedenen Zeilen geschrieben: { $lines }.

@@ -46,7 +46,6 @@ convert-macro = The call is unchanged: a macro supplies more than one of its val
 convert-macro-hint = Replace the macro with its text in the program first.
 
 revise-taken = The new variant does not use { $names }: removed from the call.
-revise-kept = { $name }={ $value } remains in the program, although the new variant does not use it: it is an expression.
 revise-shared = { $names } remain in the program, although the new variant does not use them: a later call reads them.
 variable-before = { $name } cannot be changed: no line of the program assigns it before the call.
 variable-several = { $name } cannot be changed: it is assigned in several places (lines { $lines }), depending on the path through the program.

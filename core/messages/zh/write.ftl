@@ -46,7 +46,6 @@ convert-macro = 调用保持不变：一个宏同时包含此调用的多个值�
 convert-macro-hint = 请先在程序中用宏的文本代替该宏。
 
 revise-taken = 新的测量方式不使用 { $names }：已从调用中删去。
-revise-kept = 新的测量方式不使用 { $name }，但 { $name }={ $value } 是表达式，仍留在程序中。
 revise-shared = 新的测量方式不使用 { $names }，但后面的调用要读取，仍留在程序中。
 variable-before = 无法更改 { $name }：调用之前没有为其赋值的程序行。
 variable-several = 无法更改 { $name }：其值取决于执行路径，来自多处（第 { $lines } 行）。

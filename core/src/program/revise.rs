@@ -32,7 +32,7 @@ pub struct Revision {
     pub values: Vec<ComparedValue>,
     /// Whether that is more than the value of this call: it takes others out of it, or calls behind it read the same.
     pub reaches: bool,
-    /// What that means: which of them went, and which stay since they are expressions or other calls read them.
+    /// What that means: which of them went, and which stay since other calls read them.
     pub findings: Vec<Diagnostic>,
 }
 
@@ -104,23 +104,24 @@ impl Revision {
         self.steps.extend((!carried.edits.is_empty()).then_some(carried.edits));
     }
 
-    /// Takes these values out of a call, of the program as it is by then, but for expressions and what others read.
+    /// Takes these values out of a call, of the program as it is by then, but for what others read.
     fn take(&mut self, program: &Program, (sites, index): (&[CallSite], usize), idle: Vec<Name>, control: &Control) {
         let Some(site) = sites.get(index) else { return };
-        let own = idle.into_iter().filter(|name| site.own_place(name).is_some());
-        let (kept, mut taken): (Vec<_>, Vec<_>) = own.partition(|name| site.expression(name).is_some());
+        let mut taken: Vec<_> = idle.into_iter().filter(|name| site.own_place(name).is_some()).collect();
         let read_by_others = others_read(program, (sites, index), &taken, control);
         taken.retain(|name| !read_by_others.contains(name));
         self.steps.extend(without(program, site, &taken));
-        let went = (!taken.is_empty()).then(|| own::REVISE_TAKEN.finding().texts("names", &taken));
-        let stay = kept.iter().map(|name| {
-            let value = site.expression(name).unwrap_or_default();
-            own::REVISE_KEPT.finding().text("name", *name).text("value", value)
-        });
+        let written: Vec<_> = taken.iter().map(|name| written(site, name)).collect();
+        let went = (!taken.is_empty()).then(|| own::REVISE_TAKEN.finding().texts("names", &written));
         let shared = (!read_by_others.is_empty()).then(|| own::REVISE_SHARED.finding().texts("names", &read_by_others));
-        self.findings = went.into_iter().chain(stay).chain(shared).collect();
+        self.findings = went.into_iter().chain(shared).collect();
         self.taken = taken;
     }
+}
+
+/// A value as it is told: by its name, and an expression too, which nobody knows by heart.
+fn written(site: &CallSite, name: &str) -> String {
+    site.expression(name).map_or_else(|| name.to_owned(), |text| format!("{name}={text}"))
 }
 
 /// Those of the values of a call that other calls would miss without them.
