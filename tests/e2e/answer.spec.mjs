@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { counts, shared } from "./browser.mjs";
-import { openErrors, start, startWithEditor, stored } from "./start.mjs";
+import { openErrors, openFirstCall, start, startWithEditor, stored } from "./start.mjs";
 
 const bar = page => page.locator(".answer");
 const verdict = page => bar(page).locator(".verdict");
@@ -87,6 +87,19 @@ describe("the answer", () => {
     await setpoint.fill(before);
     await verdict(page).waitFor();
     assert.deepEqual(problems, []);
+    await context.close();
+  });
+
+  // oracle: hand (a program that stops before its first measurement: why, and what helps, where the answer would be)
+  test("says what stopped the program, and adds what is missing", async () => {
+    const { context, page } = await startWithEditor(chrome);
+    const call = "_MVAR=101 _SETVAL=50 _KNUM=1 _PRNUM=1 _VMS=0 _NMSP=1 _FA=8 _TSA=5";
+    await openFirstCall(page, `G54 G17\nT="PROBE_3D" M6\nD1\nG0 X0 Y0 Z-10\n${call}\nCYCLE977\nM30\n`);
+    await page.getByRole("button", { name: "Whole program" }).click();
+    const told = bar(page).locator(".answer-none[data-stopped]", { hasText: "Tool PROBE_3D does not exist" });
+    await told.waitFor();
+    await told.getByRole("button", { name: "Add probe PROBE_3D" }).click();
+    await verdict(page).waitFor();
     await context.close();
   });
 

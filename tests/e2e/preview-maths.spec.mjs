@@ -294,6 +294,22 @@ test("a drawing has its diameters in words, and the reading counts as on the con
   assert.equal(labels.readingText({ ...reading, diameter: false }, [-20, 0, 14]), "X −20.000  Z 10.000");
 });
 
+// oracle: hand (a corrected zero offset lies 0.1 mm beside the machine's zero; another one is elsewhere)
+test("systems that nearly lie in one another have their letters once", () => {
+  const axes = [
+    [1, 0, 0],
+    [0, 1, 0],
+    [0, 0, 1],
+  ];
+  const frame = (x, moved) => ({ at: [x, 0, 0], axes, name: "", moved });
+  const lettersOf = frames => {
+    const view = { ...arrays.NOTHING.view, frames, axis: 20, labels: [] };
+    return labels.labelsOf(view, colours.LIGHT, String, { drawing: false, focus: null }).map(({ text }) => text);
+  };
+  assert.deepEqual(lettersOf([frame(0), frame(0), frame(0.1, "after")]), ["X", "Y", "Z"]);
+  assert.deepEqual(lettersOf([frame(0), frame(100)]), ["X", "Y", "Z", "X", "Y", "Z"]);
+});
+
 // oracle: hand (a size of the part is always there, a way with its field alone; what is focused stands out)
 test("the dimension of the focused field stands out, others than the part's own come with it", () => {
   const line = field => ({ kind: field === "_SETVAL" ? "size" : "anchor", lines: [0, 1], field });

@@ -4,7 +4,7 @@ import type { LineGroup, Reading, SceneLabel, SceneView } from "../core/scene";
 import { fixed } from "../numbers";
 import type { LabelKind, Message, Vec3 } from "../wire";
 import type { Colours } from "./colours";
-import { add, dot, sub, times } from "./vec";
+import { add, dot, length, sub, times } from "./vec";
 
 /**
  * `below`: under its point on the screen, `aside`: to the left of it as well; both clear of others. `raised`: so many
@@ -36,6 +36,7 @@ const DOWN = [4, -10] as const; // and from the lower end
 const ABOVE = 14; // from a touched point to its diameter
 const OVER = 5; // from the middle of a dimension line to its name
 const LETTER = 1.14; // from the zero to the letter of an axis, in lengths of the axis
+const SAME = 0.3; // of that length: letters nearer to each other than this are one
 
 const colourOf: Record<LabelKind, "text" | "touch" | "crash"> = {
   frame: "text",
@@ -106,20 +107,25 @@ function placed(
   };
 }
 
-/** The letters of the axes, not of a system that has been moved since. */
+/**
+ * The letters of the axes, not of a system that has been moved since; of systems that nearly lie in one another a letter
+ * is written once.
+ */
 function letters({ frames, axis }: SceneView, colours: Colours): Label[] {
   const axes = [
     ["X", colours.axisX],
     ["Y", colours.axisY],
     ["Z", colours.axisZ],
   ] as const;
-  return frames
+  const all = frames
     .filter(({ moved }) => moved !== "before")
     .flatMap(({ at, axes: directions }) =>
       axes.map(([text, colour], i): Label => {
         return { at: add(at, times(directions[i]!, LETTER * axis)), origin: at, text, colour };
       }),
     );
+  const near = (a: Label, b: Label): boolean => a.text === b.text && length(sub(a.at, b.at)) < SAME * axis;
+  return all.filter((one, index) => !all.slice(0, index).some(other => near(one, other)));
 }
 
 /** X and Z of a position as the control shows them, X as a diameter where it counts so. */

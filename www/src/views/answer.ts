@@ -3,15 +3,17 @@
 
 import { html, nothing, render, type TemplateResult } from "lit-html";
 import { guard } from "lit-html/directives/guard.js";
+import type { Actions } from "../desk/actions";
 import type { Derived } from "../desk/derive";
 import { el, setText } from "../dom";
 import { type IconName, iconPart } from "../icons";
 import type { State } from "../state/state";
 import { listed, say, t } from "../texts";
-import type { Answer, CertaintyView, Figure, RunView, WholeCertainty } from "../wire";
+import type { Answer, CertaintyView, Figure, Raised, RunView, WholeCertainty } from "../wire";
 import { allParts, amount, correctedText, figureText, mainFigures, unitBehind } from "./amounts";
 import { certainty } from "./certain";
 import { gaugePicture } from "./gauge";
+import { offersOf } from "./problem";
 
 const REST = 500; // ms without a change, then it is spoken
 
@@ -79,13 +81,23 @@ function body(answer: Answer, file: string, certain: CertaintyView | null): Temp
     ${certain ? certainty(certain) : nothing}`;
 }
 
+/** What ended a call that measured nothing, or a program before its first measurement. */
+const endedBy = (state: State, { run, view }: Derived): Raised | undefined =>
+  state.view.source === "program" ? run?.alarms.findLast(({ stops }) => stops) : view.outcome?.alarms.at(-1);
+
+const raisedText = ({ code, message }: Raised): string => [code, say(message)].filter(Boolean).join(" ");
+
 /** Why there is no answer: nothing is simulated yet, or the call measures nothing; then how it ended. */
-function unanswered(state: State, derived: Derived): string {
-  if (derived.simulates !== "yes") return "";
-  const outcome = state.view.source === "program" ? undefined : derived.view.outcome;
-  if (!outcome) return t("bar-none");
-  const alarm = outcome.alarms.at(-1);
-  return alarm ? [alarm.code, say(alarm.message)].filter(Boolean).join(" ") : t("bar-unmeasured");
+function unanswered(state: State, derived: Derived, give: Actions["give"]): TemplateResult {
+  const raised = endedBy(state, derived);
+  const some = state.view.source !== "program" && derived.view.outcome;
+  const words = raised ? raisedText(raised) : t(some ? "bar-unmeasured" : "bar-none");
+  const offers = raised ? offersOf(raised, give) : [];
+  return html`<span class="answer-none" ?data-stopped=${raised !== undefined}>${
+    derived.simulates === "yes"
+      ? html`${raised ? iconPart(VERDICT_ICONS.stopped) : nothing}<span>${words}</span>${offers}`
+      : ""
+  }</span>`;
 }
 
 /** In a sentence: for those who hear it. */
@@ -133,7 +145,8 @@ export interface AnswerLine {
   draw(state: State, derived: Derived): void;
 }
 
-export function createAnswer(): AnswerLine {
+/** `give`: adds what the machine lacks. */
+export function createAnswer(give: Actions["give"]): AnswerLine {
   const bar = el("div", { class: "answer-line" });
   const live = el("span", { class: "visually-hidden", role: "status", "aria-live": "polite" });
   const root = el("section", { class: "answer", "aria-label": t("bar-title") }, bar, live);
@@ -163,11 +176,11 @@ export function createAnswer(): AnswerLine {
       const answer = measured ? answerAt(measured, derived.step) : shownAnswer(state, derived);
       const file = measured?.file ?? "";
       const certain = program ? (measured ? null : certainOf(answer, derived)) : derived.certain;
-      const none = answer ? "" : unanswered(state, derived);
       const line = (found: Answer): TemplateResult =>
         html`${guard([found, file, certain], () => body(found, file, certain))}`;
-      render(answer ? line(answer) : html`<span class="answer-none">${none}</span>`, bar);
-      speak(answer ? spoken(answer, file) : "");
+      const raised = endedBy(state, derived);
+      render(answer ? line(answer) : unanswered(state, derived, give), bar);
+      speak(answer ? spoken(answer, file) : raised ? raisedText(raised) : "");
     },
   };
 }

@@ -81,7 +81,7 @@ export function createResults(
   ways: Omit<WholeWays, "real" | "certain">,
 ): Draw {
   const bar = el("div", { role: "tablist", class: "tabs", "aria-label": t("panel-results") });
-  const answer = createAnswer();
+  const answer = createAnswer(actions.give);
   root.append(el("h2", { class: "visually-hidden" }, t("panel-results")), bar);
   answered.append(answer.root);
   const tabs = new Map<ResultTab, { button: HTMLButtonElement; page: HTMLElement }>();
