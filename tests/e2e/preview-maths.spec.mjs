@@ -292,6 +292,7 @@ test("a drawing has its diameters in words, and the reading counts as on the con
   assert.deepEqual(labels.labelsOf(view, colours.LIGHT, say, { drawing: false, focus: null }), []);
   assert.equal(labels.readingText(reading, [-20, 0, 14]), "X Ø−40.000  Z 10.000");
   assert.equal(labels.readingText({ ...reading, diameter: false }, [-20, 0, 14]), "X −20.000  Z 10.000");
+  assert.equal(labels.readingText({ ...reading, inch: true }, [-25.4, 0, 29.4]), "X Ø−2.0000  Z 1.0000");
 });
 
 // oracle: hand (a corrected zero offset lies 0.1 mm beside the machine's zero; another one is elsewhere)

@@ -107,6 +107,15 @@ pub fn convert(request: &str) -> Result<String, JsError> {
     Ok(json::answer(request, app::convert)?)
 }
 
+/// `UnfitRequest` → `Unfit[]`.
+///
+/// # Errors
+/// A request of the wrong shape, or an unknown cycle.
+#[wasm_bindgen]
+pub fn unfit(request: &str) -> Result<String, JsError> {
+    Ok(json::answer(request, app::unfit)?)
+}
+
 /// `AroundRequest` → `AroundView`.
 ///
 /// # Errors

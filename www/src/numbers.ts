@@ -1,5 +1,7 @@
 // Numbers as people type them and as the page shows them.
 
+export const MM_PER_INCH = 25.4;
+
 /** Decimal comma or point; null when it is no number. */
 export function parseNumber(text: string): number | null {
   const plain = text.trim().replace(",", ".").replace("\u2212", "-");

@@ -565,8 +565,10 @@ export type Changed = {
   elsewhere: Array<TouchedLine>,
   /** The expression of the program that the value takes the place of; null: there is none, or the value is one too. */
   replaced: Replaced | null,
-  /** Parameters that the new variant does not know, taken out of the call. */
+  /** Parameters that the new variant does not know, or whose value does not fit it, taken out of the call. */
   taken: Array<Name>,
+  /** Those of them whose value does not fit. */
+  unfit: Array<Unfit>,
   /** What the calls of the program would say otherwise. */
   values: Array<ComparedValue>,
   /** Whether more changes than this value of this call: other lines, other calls that read it, other values of it. */
@@ -2725,6 +2727,8 @@ export type Reading = {
   axes: [[number, number, number], [number, number, number], [number, number, number]],
   /** Whether X counts as a diameter. */
   diameter: boolean,
+  /** Whether lengths count in inches. */
+  inch: boolean,
 };
 
 /** A tool. */
@@ -4037,6 +4041,30 @@ export type TwinView = {
   differences: Array<Message>,
 };
 
+/** A value that does not fit the variant. */
+export type Unfit = {
+  /** Parameter: `_KNUM`. */
+  name: Name,
+  /** As it was typed. */
+  value: string,
+  /** Key of the name of what it was a code of before; absent: the new variant does not take the number. */
+  before?: string,
+};
+
+/** The values of a form before another variant was chosen in it, and after. */
+export type UnfitRequest = {
+  /** Control. */
+  control: Dialect,
+  /** Cycle. */
+  cycle: string,
+  /** Values before, by parameter. */
+  before: { [key in string]: string },
+  /** Values after. */
+  values: { [key in string]: string },
+  /** Machine; absent: the core's own as it is. */
+  setup?: Machine,
+};
+
 /** Unit of a parameter and the system it counts in. */
 export type Unit = "" | "active length" | "basic length" | "mm" | "deg" | "basic feed";
 
@@ -4096,6 +4124,8 @@ export type Values = {
   values: { [key in string]: string },
   /** Values of the worked measurement. */
   example: { [key in string]: string },
+  /** Those of them that are lengths in the active system of units, in inches: the same measurement. */
+  inch: { [key in string]: string },
 };
 
 /** A variable of an expression. */
@@ -4130,6 +4160,8 @@ export type VariantInfo = {
   values: { [key in string]: string },
   /** Values of the worked measurement. */
   example: { [key in string]: string },
+  /** Those of them that are lengths in the active system of units, in inches: the same measurement. */
+  inch: { [key in string]: string },
 };
 
 /** Something that varies: what is drawn is added to what the file says. */

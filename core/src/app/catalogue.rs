@@ -2,6 +2,8 @@
 
 use crate::catalogue::CYCLES;
 use crate::catalogue::example::{choosing, example, turned, worked};
+use crate::check::{Parsed, parse};
+use crate::control::units::INCH;
 use crate::control::{MachineSort, Plane, delivery};
 use crate::diagnostic::Code;
 use crate::dialect::Dialect;
@@ -151,6 +153,26 @@ pub struct Values {
     pub values: Typed,
     /// Values of the worked measurement.
     pub example: Typed,
+    /// Those of them that are lengths in the active system of units, in inches: the same measurement.
+    pub inch: Typed,
+}
+
+impl Values {
+    fn of(cycle: &'static Cycle, values: Typed, example: Typed) -> Values {
+        let inch = inch(cycle, &example);
+        Values { values, example, inch }
+    }
+}
+
+/// Lengths as an inch program has them, to its finest step (1/10000 inch).
+fn inch(cycle: &'static Cycle, example: &Typed) -> Typed {
+    let inputs = check::read(cycle, example, &delivery(cycle.dialect), &mut Vec::new());
+    let lengths = cycle.params.iter().filter(|param| param.unit_with(&inputs) == Unit::ActiveLength);
+    let converted = lengths.filter_map(|param| match parse(example.get(param.name.as_str())?) {
+        Parsed::Number(value) => Some((param.name.to_string(), ((value / INCH * 1e4).round() / 1e4).to_string())),
+        _ => None,
+    });
+    converted.filter(|(name, value)| example.get(name) != Some(value)).collect()
 }
 
 /// A parameter.
@@ -235,12 +257,12 @@ fn styles(cycle: &Cycle) -> Vec<Style> {
 }
 
 fn variant(cycle: &'static Cycle, variant: &entry::Variant) -> VariantInfo {
-    let usual = Values { values: choosing(cycle, variant.number), example: example(cycle, variant) };
+    let usual = Values::of(cycle, choosing(cycle, variant.number), example(cycle, variant));
     let choices = cycle.choices(variant.number).collect();
     let mut planes = BTreeMap::new();
     for plane in [Plane::G18, Plane::G19] {
         let there = |values: &Typed| turned(cycle, values, plane);
-        let there = Values { values: there(&usual.values), example: there(&usual.example) };
+        let there = Values::of(cycle, there(&usual.values), there(&usual.example));
         if there != usual {
             planes.insert(plane, there);
         }
@@ -256,5 +278,46 @@ fn parameter(param: &Param) -> ParameterInfo {
         unit: param.unit,
         default: param.default,
         source: Cited(param.source),
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+    use crate::app::{FormRequest, FormView, form};
+
+    fn formed(control: Dialect, cycle: &str, plane: Plane, units: &str, values: &Typed) -> FormView {
+        let asked = serde_json::json!({
+            "control": control, "cycle": cycle, "values": values, "predict": true,
+            "setup": { "own": { "plane": plane, "units": units } }
+        });
+        form(serde_json::from_value::<FormRequest>(asked).unwrap()).unwrap()
+    }
+
+    /// The alarms of its run by name; none: it was not carried out.
+    fn alarms(view: &FormView) -> Option<Vec<String>> {
+        view.outcome.as_ref().map(|outcome| outcome.alarms.iter().map(|one| one.code.clone()).collect())
+    }
+
+    // oracle: self (the worked measurement is the same one in inches: nothing is wrong with it, and it runs as in mm)
+    #[test]
+    fn the_worked_measurements_are_there_in_inches() {
+        let mut lengths = 0;
+        for cycle in catalogue().cycles {
+            let plane = cycle.purpose.plane.unwrap_or(Plane::G17);
+            let [mm, inches] = if cycle.control == Dialect::Nct { ["G21", "G20"] } else { ["G71", "G70"] };
+            for variant in &cycle.variants {
+                let values = variant.planes.get(&plane).unwrap_or(&variant.usual);
+                let mut small = values.example.clone();
+                small.extend(values.inch.clone());
+                let usual = formed(cycle.control, cycle.cycle, plane, mm, &values.example);
+                let inch = formed(cycle.control, cycle.cycle, plane, inches, &small);
+                assert_eq!(inch.complete, usual.complete, "{} {}", cycle.cycle, variant.mvar);
+                assert_eq!(alarms(&inch), alarms(&usual), "{} {}", cycle.cycle, variant.mvar);
+                lengths += values.inch.len();
+            }
+        }
+        assert!(lengths > 300, "{lengths} lengths");
     }
 }

@@ -4,8 +4,10 @@ use super::beside::{Beside, Whole};
 use super::finding::{Edit, Finding, edits, placed};
 use super::start::{Machine, start};
 use super::{Error, ProgramText, unknown};
+use crate::control::Control;
 use crate::dialect::Dialect;
-use crate::entry::Style;
+use crate::entry::{Cycle, Style, Typed};
+use crate::form::{self, Unfit};
 use crate::message::Message;
 use crate::name::Name;
 use crate::program::change::apply;
@@ -17,6 +19,7 @@ use crate::program::touched::TouchedLine;
 use crate::syntax;
 use crate::syntax::position::Positions;
 use serde::{Deserialize, Serialize};
+use std::cell::RefCell;
 
 /// A new value of a call.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
@@ -48,8 +51,10 @@ pub struct Changed {
     pub elsewhere: Vec<TouchedLine>,
     /// The expression of the program that the value takes the place of; null: there is none, or the value is one too.
     pub replaced: Option<Replaced>,
-    /// Parameters that the new variant does not know, taken out of the call.
+    /// Parameters that the new variant does not know, or whose value does not fit it, taken out of the call.
     pub taken: Vec<Name>,
+    /// Those of them whose value does not fit.
+    pub unfit: Vec<Unfit>,
     /// What the calls of the program would say otherwise.
     pub values: Vec<ComparedValue>,
     /// Whether more changes than this value of this call: other lines, other calls that read it, other values of it.
@@ -201,8 +206,16 @@ pub fn change(asked: ChangeRequest) -> Result<Changed, Error> {
     let whole = Whole::defined(asked.control, asked.text, asked.with);
     let control = start(asked.control, asked.setup)?.setup.control;
     let mut program = syntax::read_held(asked.control, whole.text(), &control.definitions.macros, &mut |_| {});
-    let done = revise(&program, asked.call, &asked.name, &asked.value, &control);
+    let misfits = RefCell::default();
+    let unfit = |cycle: &'static Cycle, [before, after]: [&Typed; 2], control: &Control| {
+        let found = form::unfit(cycle, before, after, control);
+        let names = found.iter().map(|one| one.name).collect();
+        misfits.replace(found);
+        names
+    };
+    let done = revise(&program, asked.call, (&asked.name, &asked.value), &control, &unfit);
     let done = done.ok_or_else(|| unknown("document-call", &asked.call.to_string()))?;
+    let unfit = misfits.into_inner().into_iter().filter(|one| done.taken.contains(&one.name)).collect();
     let replaced = done.replaced.as_ref().map(|found| Replaced::placed(found, &Positions::new(&program.source)));
     let mut steps = Vec::new();
     for step in &done.steps {
@@ -214,6 +227,7 @@ pub fn change(asked: ChangeRequest) -> Result<Changed, Error> {
         elsewhere: done.elsewhere,
         replaced,
         taken: done.taken,
+        unfit,
         values: done.values,
         reaches: done.reaches,
         findings: placed(&done.findings, &Positions::new(b"")),

@@ -8,6 +8,7 @@ mod fields;
 mod listed;
 pub mod machine;
 mod masks;
+mod refit;
 mod variant;
 
 pub use chain::{Bar, Chain, Limit, chain};
@@ -15,6 +16,7 @@ pub use codes::known_variants;
 pub use draw::draw;
 pub use fields::{Choice, Entry, Field, Group, fields};
 pub use listed::{argument_entry, fields_of_call};
+pub use refit::{Unfit, unfit};
 #[cfg(feature = "json")]
 pub(crate) use {
     fields::fields_by,

@@ -11,11 +11,15 @@ use super::{arguments, around};
 use crate::check::variants;
 use crate::control::Control;
 use crate::diagnostic::Diagnostic;
-use crate::entry::{Param, Typed};
+use crate::entry::{Cycle, Param, Typed};
 use crate::name::Name;
 use crate::syntax::{Program, WordKind};
 use crate::{check, own};
 use std::collections::BTreeSet;
+
+/// The values of a call, typed as the second ones, that do not fit the variant that these choose; the first ones chose
+/// another. The control is that of the call.
+pub type Unfit<'a> = &'a dyn Fn(&'static Cycle, [&Typed; 2], &Control) -> Vec<Name>;
 
 /// What a new value of a call does to the program.
 #[derive(Debug, Default)]
@@ -48,8 +52,15 @@ pub struct Replaced {
 }
 
 /// Gives a parameter of the call at `index` this value, as [`change`] does; of a call that becomes another variant
-/// nothing stays that this does not know. The program starts on this control. None: there is no such call.
-pub fn revise(program: &Program, index: usize, name: &str, value: &str, control: &Control) -> Option<Revision> {
+/// nothing stays that this does not know, nor what `unfit` names. The program starts on this control. None: there is no
+/// such call.
+pub fn revise(
+    program: &Program,
+    index: usize,
+    (name, value): (&str, &str),
+    control: &Control,
+    unfit: Unfit,
+) -> Option<Revision> {
     let sites = calls_on(program, control.clone());
     let site = sites.get(index)?;
     let edits = change(program, site, name, value);
@@ -57,7 +68,7 @@ pub fn revise(program: &Program, index: usize, name: &str, value: &str, control:
         return Some(Revision::default());
     }
     let mut revision = Revision { elsewhere: elsewhere(program, site, &edits), ..Revision::default() };
-    let idle = idle(site, name, value, control);
+    let idle = idle(site, (name, value), control, unfit);
     let mut text = apply(&program.source, &edits);
     let mut after = calls_on(&program.again(&text), control.clone());
     revision.steps.push(edits);
@@ -160,9 +171,9 @@ fn replaced(
 }
 
 /// The parameters that the variant which this value chooses does not know: none of the cycle's own that it asks for on
-/// no machine, and none that the call uses now and would not use then. A list of a newer control has its arguments in
-/// every variant: they stay.
-fn idle(site: &CallSite, name: &str, value: &str, control: &Control) -> Vec<Name> {
+/// no machine, and none that the call uses now and would not use then; and those whose values do not fit it. A list of a
+/// newer control has its arguments in every variant: they stay.
+fn idle(site: &CallSite, (name, value): (&str, &str), control: &Control, unfit: Unfit) -> Vec<Name> {
     let cycle = site.cycle;
     if cycle.variant_param().is_none_or(|own| own != name) {
         return Vec::new();
@@ -178,9 +189,10 @@ fn idle(site: &CallSite, name: &str, value: &str, control: &Control) -> Vec<Name
     }
     let inputs = |values| check::read(cycle, values, &control, &mut Vec::new());
     let (before, now) = (inputs(&site.values), inputs(&values));
+    let unfit = unfit(cycle, [&site.values, &values], &control);
     let idle = |param: &&Param| {
         let unknown = !param.is_machine_datum() && !param.is_known(&now);
-        unknown || param.need(&before).is_some() && param.need(&now).is_none()
+        unknown || param.need(&before).is_some() && param.need(&now).is_none() || unfit.contains(&param.name)
     };
     let listed = |name: Name| site.newer_list().is_some_and(|list| list.position(name).is_some());
     cycle.params.iter().filter(idle).map(|param| param.name).filter(|name| !listed(*name)).collect()

@@ -1,7 +1,7 @@
 //! What is written beside what is drawn: keys of messages with their arguments, where they stand, and when.
 
 use super::frames::Frame;
-use crate::control::{Control, Transverse};
+use crate::control::{Control, Transverse, Units};
 use crate::geometry::{Dir, Mcs, V3};
 use crate::machine::{Entries, Entry, Step};
 use crate::message::Message;
@@ -85,13 +85,15 @@ pub fn frames(frames: &[Frame]) -> Vec<Label> {
     labels.into_iter().map(|(_, label)| label).collect()
 }
 
-/// A diameter as a drawing has it: to a thousandth of a millimetre.
-fn figure(diameter: f64) -> String {
-    format!("{diameter:.3}")
+/// A length, mm, as the control shows it: to a thousandth of a millimetre, or a ten-thousandth of an inch.
+fn figure(length: f64, units: Units) -> String {
+    let digits = if units == Units::Inch { 4 } else { 3 };
+    format!("{:.digits$}", length / units.factor())
 }
 
 /// A diameter at an end of its dimension line: as it is, and below as it should be; mm. `field`: what explains it.
-pub fn dimension(at: [f64; 3], upper: bool, [set, real]: [f64; 2], field: Option<Name>) -> [Label; 2] {
+pub fn dimension(at: [f64; 3], upper: bool, [set, real]: [f64; 2], field: Option<Name>, units: Units) -> [Label; 2] {
+    let figure = |length| figure(length, units);
     let label = |kind, text: Message| Label { upper, field, ..Label::new(kind, at, text) };
     let off = real - set;
     let sign = if off < 0.0 { '−' } else { '+' };
@@ -121,8 +123,8 @@ pub fn anchor(at: V3, field: Name, own: bool) -> Label {
 }
 
 /// The diameter at a touched point, from the touch on until that point is touched again.
-pub fn touched(at: [f64; 3], diameter: f64, [from, to]: [Option<usize>; 2]) -> Label {
-    let text = Message::new("diameter-real").text("diameter", figure(diameter));
+pub fn touched(at: [f64; 3], diameter: f64, [from, to]: [Option<usize>; 2], units: Units) -> Label {
+    let text = Message::new("diameter-real").text("diameter", figure(diameter, units));
     Label { from, to, ..Label::new(Kind::Touched, at, text) }
 }
 
@@ -176,9 +178,9 @@ pub fn explained(edges: &[Name], touches: &[[f64; 3]], middle: V3, axis: V3, dia
 /// Points that are nearer to each other, mm, are the same.
 const SAME: f64 = 1.0;
 
-/// The coordinate of each touched point along which was measured, mm in the workpiece coordinate system that was active
-/// first, and the direction; until the point is touched again or the next cycle begins.
-pub fn touches(control: &Control, entries: &Entries) -> Vec<Label> {
+/// The coordinate of each touched point along which was measured, in the workpiece coordinate system that was active
+/// first and in these units, and the direction; until the point is touched again or the next cycle begins.
+pub fn touches(control: &Control, units: Units, entries: &Entries) -> Vec<Label> {
     let mut found: Vec<Label> = Vec::new();
     let mut first = 0; // of the present call
     for other in entries.others() {
@@ -189,7 +191,7 @@ pub fn touches(control: &Control, entries: &Entries) -> Vec<Label> {
                 first = found.len();
                 continue;
             }
-            Step::Touch { point, normal, by, .. } if by.measures() => touch(control, *point, *normal),
+            Step::Touch { point, normal, by, .. } if by.measures() => touch(control, units, *point, *normal),
             _ => continue,
         };
         let number = found.len() - first + 1;
@@ -204,13 +206,14 @@ pub fn touches(control: &Control, entries: &Entries) -> Vec<Label> {
 }
 
 /// The coordinate of a touched point, a diameter where X counts so, and in which direction it was touched.
-fn touch(control: &Control, point: Mcs, normal: Dir<Mcs>) -> Label {
+fn touch(control: &Control, units: Units, point: Mcs, normal: Dir<Mcs>) -> Label {
     const AXES: [&str; 3] = ["X", "Y", "Z"];
     let [along, at] = [control.direction_to_workpiece(normal).0, control.to_workpiece(point).0];
     let axis = (0..3).max_by(|a, b| along[*a].abs().total_cmp(&along[*b].abs())).unwrap_or_default();
     let diameter = axis == 0 && control.transverse != Transverse::Radius;
     let value = if diameter { 2.0 * at[0] } else { at[axis] };
     let direction = format!("{}{}", AXES[axis], if along[axis] > 0.0 { '−' } else { '+' });
-    let text = Message::new("touch-value").text("axis", direction).text("value", figure(value).replace('-', "−"));
+    let value = figure(value, units).replace('-', "−");
+    let text = Message::new("touch-value").text("axis", direction).text("value", value);
     Label::new(Kind::Touch, point.0, text)
 }

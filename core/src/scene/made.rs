@@ -9,6 +9,7 @@ use super::tool::{self, Tool};
 use super::turned::{self, Diameter, Drawing};
 use super::{LineGroup, LineKind, Matter, Piece, Place, Probe, Scene, Source, Standing, ToolView, View};
 use super::{fit, labels};
+use crate::control::Units;
 use crate::geometry::{Extent, V3};
 use crate::machine::{Entries, Setup, Step};
 use crate::name::Name;
@@ -79,7 +80,8 @@ impl Scene {
     /// The values at the touches, each where its touch is drawn.
     fn add_touches(&mut self, told: &Source) {
         let places: Vec<[f64; 3]> = self.touches.chunks_exact(6).map(|touch| [touch[0], touch[1], touch[2]]).collect();
-        for mut label in labels::touches(&told.outcome.before, &told.outcome.trace.entries) {
+        let units = told.outcome.control.active_units;
+        for mut label in labels::touches(&told.outcome.before, units, &told.outcome.trace.entries) {
             let place = label.from.and_then(|entry| self.touch_entries.binary_search(&(entry as u32)).ok());
             let Some(at) = place.and_then(|place| places.get(place)) else { continue };
             label.at = *at;
@@ -236,11 +238,12 @@ impl Scene {
             touches.get(place).copied()
         };
         let near = |a: [f64; 3], b: [f64; 3]| (V3::from(a) - V3::from(b)).norm() < SAME;
+        let units = if drawing.reading.inch { Units::Inch } else { Units::Metric };
         let touched = drawing.touched.iter().enumerate().filter_map(|(i, touched)| {
             let at = point(touched.entry)?;
             let mut later = drawing.touched[i + 1..].iter();
             let again = later.find(|later| point(later.entry).is_some_and(|point| near(at, point)));
-            Some(labels::touched(at, touched.diameter, [Some(touched.entry), again.map(|again| again.entry)]))
+            Some(labels::touched(at, touched.diameter, [Some(touched.entry), again.map(|again| again.entry)], units))
         });
         self.view.labels.extend(touched);
         let dimensions = turned::dimensions(&drawing.diameters, self.view.size);
@@ -249,7 +252,7 @@ impl Scene {
             let field = labels::explained(edges, &touches, middle, V3::from(out), real);
             let upper = i % 2 == 0;
             let at = places[usize::from(upper)].into();
-            self.view.labels.extend(labels::dimension(at, upper, [set, real], field));
+            self.view.labels.extend(labels::dimension(at, upper, [set, real], field, units));
             self.add_lines(&lines, LineKind::Dimension, None, None);
         }
         self.view.reading = Some(drawing.reading);

@@ -9,7 +9,7 @@ use super::solid::{CHORD, figure, turns};
 use super::tool::Tool;
 use super::turned::{Diameter, Drawing, Reading, Touched, dimensions};
 use super::{LineKind, Matter, Scene, Source, fit, labels, paths, tool};
-use crate::control::Plane;
+use crate::control::{Plane, Units};
 use crate::dialect::Dialect;
 use crate::entry::names::{SETVAL, TSA};
 use crate::geometry::{Around, Degrees, Dir, Extent, Mcs, Rpy, V3};
@@ -331,7 +331,7 @@ fn a_drawing_has_its_diameters_before_the_front_and_those_at_touched_points() {
     near((*upper).into(), [20.05, 0.0, 24.0]);
     let point = [20.0, 0.0, 0.0];
     let mut scene = Scene::of(&happened(Vec::new(), vec![touch(point, Touching::Ball), touch(point, Touching::Ball)]));
-    let reading = Reading { at: [0.0; 3], axes: UNITS, diameter: true };
+    let reading = Reading { at: [0.0; 3], axes: UNITS, diameter: true, inch: false };
     let touched = [(0, 40.0), (1, 40.1)].map(|(entry, diameter)| Touched { entry, diameter }).to_vec();
     scene.add_drawing(&Drawing { diameters: vec![diameter], touched, reading }, &[SETVAL]);
     let of = |kind| scene.view.labels.iter().filter(move |label| label.kind == kind);
@@ -423,9 +423,12 @@ fn names_of_coordinate_systems_at_one_place_stand_together() {
 // oracle: hand
 #[test]
 fn a_diameter_that_is_right_says_so() {
-    let words = |real: f64| labels::dimension([0.0; 3], false, [40.0, real], None).map(|label| said(&label));
+    let words =
+        |real: f64| labels::dimension([0.0; 3], false, [40.0, real], None, Units::Metric).map(|label| said(&label));
     assert_eq!(words(40.000_4), ["diameter-real 40.000", "diameter-exact 40.000"]);
     assert_eq!(words(39.98), ["diameter-real 39.980", "diameter-off −0.020 40.000"]);
+    let inches = labels::dimension([0.0; 3], false, [50.8, 50.83048], None, Units::Inch).map(|label| said(&label));
+    assert_eq!(inches, ["diameter-real 2.0012", "diameter-off +0.0012 2.0000"]);
 }
 
 // oracle: hand: the second touch is on the larger diameter, and the last parameter counts for the rest
@@ -512,9 +515,11 @@ fn touches_are_numbered_in_their_call_and_shown_until_the_next_one() {
     let at = |x: f64| touch([x, 0.0, 5.0], Touching::Ball);
     let entries = [call(), at(1.0), at(1.2), at(9.0), call(), at(3.0)].map(entry);
     let setup = Setup::calibrated(Dialect::Sinumerik, Plane::G17);
-    let found = labels::touches(&setup.control, &entries.into_iter().collect());
+    let found = labels::touches(&setup.control, Units::Metric, &entries.into_iter().collect());
     let told: Vec<_> = found.iter().map(|label| (label.number, label.from, label.to)).collect();
     let wanted = [(1, 1, Some(2)), (2, 2, Some(4)), (3, 3, Some(4)), (1, 5, None)];
     assert_eq!(told, wanted.map(|(number, from, to)| (Some(number), Some(from), to)));
     assert_eq!(said(&found[0]), "touch-value Z− 5.000");
+    let entries = [call(), at(1.0)].map(entry).into_iter().collect();
+    assert_eq!(said(&labels::touches(&setup.control, Units::Inch, &entries)[0]), "touch-value Z− 0.1969");
 }

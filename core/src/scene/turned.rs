@@ -2,7 +2,7 @@
 
 use super::frames::{UNITS, system};
 use crate::catalogue::find;
-use crate::control::{Control, Transverse};
+use crate::control::{Control, Transverse, Units};
 use crate::entry::ProbeUse;
 use crate::geometry::{Mcs, V3};
 use crate::machine::{Setup, Step, Trace};
@@ -64,6 +64,8 @@ pub struct Reading {
     pub axes: [[f64; 3]; 3],
     /// Whether X counts as a diameter.
     pub diameter: bool,
+    /// Whether lengths count in inches.
+    pub inch: bool,
 }
 
 /// A drawing at the end of a run: a program says itself how it counts, so that what is active there decides.
@@ -76,7 +78,8 @@ pub fn drawing(setup: &Setup, outcome: &Outcome) -> Drawing {
 /// From the zero of the machine where frames are beyond all numbers.
 fn reading(control: &Control) -> Reading {
     let (at, axes) = system(control).unwrap_or(([0.0; 3], UNITS));
-    Reading { at, axes, diameter: control.transverse != Transverse::Radius }
+    let inch = control.active_units == Units::Inch;
+    Reading { at, axes, diameter: control.transverse != Transverse::Radius, inch }
 }
 
 /// Outside and bore at the front, and at the other end where they differ there.

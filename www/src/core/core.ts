@@ -2,7 +2,16 @@
 // said while the page was built.
 
 import { catalogue, form } from "answers:first";
-import type { AroundRequest, AroundView, Catalogue, CycleInfo, FormRequest, FormView } from "../wire";
+import type {
+  AroundRequest,
+  AroundView,
+  Catalogue,
+  CycleInfo,
+  FormRequest,
+  FormView,
+  Unfit,
+  UnfitRequest,
+} from "../wire";
 import { firstQuestion } from "./example";
 import type { SceneData } from "./scene";
 
@@ -15,6 +24,8 @@ export interface FormCore {
   /** Whether it is the core that answers; else whether that will come. */
   simulates: "yes" | "coming" | "no";
   form(request: FormRequest): Formed;
+  /** What of a form's values does not fit the variant that it has now; absent until the core has come. */
+  unfit?(request: UnfitRequest): Unfit[];
   /** The blocks around a call; absent until the core has come. */
   around?(request: AroundRequest): AroundView;
 }

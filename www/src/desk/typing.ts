@@ -12,9 +12,10 @@ import {
   patched,
   programMachine,
   programOf,
+  type Reset,
   type State,
 } from "../state/state";
-import type { Changed, ComparedValue, Converted, CuredAll, CureRequest, Edit, Message, Replaced } from "../wire";
+import type { Changed, ComparedValue, Converted, CuredAll, CureRequest, Edit, Message, Replaced, Unfit } from "../wire";
 import { isCurrent, SOUGHT, withEdits } from "./program";
 
 /** The form with these values typed; where it edits a call of the program, they are on their way there. */
@@ -118,17 +119,7 @@ export function changed(state: State, request: ChangeRequest, answers: Changed[]
   const left = new Set(mine.map(({ one }) => one));
   const pending = [...state.desk.pending.filter(one => !left.has(one)), ...waiting];
   const next = done.flatMap(({ answer }) => answer.steps).reduce(withEdits, patched(state, { desk: { pending } }));
-  const after = mine.every(({ one }) => one.value === "" && state.form.resets[one.name])
-    ? stillTold(state, next)
-    : next;
-  const agreed = done.some(({ one }) => one.agreed === true);
-  return told(
-    state,
-    after,
-    request,
-    agreed,
-    done.map(({ answer }) => answer),
-  );
+  return told(state, next, request, done);
 }
 
 function asksOf(one: Pending, answer: Changed, text: string): Asks {
@@ -136,24 +127,26 @@ function asksOf(one: Pending, answer: Changed, text: string): Asks {
   return { text, lines, steps, values, ...(replaced && hasToReplace(one, answer) ? { replaced } : {}) };
 }
 
-/** What was said of a new variant is said on while the values go that were codes of something else before. */
-function stillTold(before: State, after: State): State {
-  const { converted } = before.desk;
-  return converted && isCurrent(converted, before)
-    ? patched(after, { desk: { converted: { ...converted, text: programOf(after) } } })
-    : after;
-}
+/** The notes at the fields whose values went. */
+export const resetsOf = (unfit: readonly Unfit[]): Record<string, Reset> =>
+  Object.fromEntries(
+    unfit.map(({ name, value, before }) => [name, before === undefined ? { value } : { value, before }]),
+  );
 
 /** What a change did beside the value: it is said, and can be taken back. */
-function told(before: State, after: State, { at }: ChangeRequest, agreed: boolean, done: Changed[]): State {
-  const taken = done.flatMap(one => one.taken);
-  const findings = done.flatMap(one => one.findings);
-  if (!agreed && !findings.length) return after;
+function told(before: State, after: State, { at }: ChangeRequest, done: { one: Pending; answer: Changed }[]): State {
+  const answers = done.map(({ answer }) => answer);
+  const findings = answers.flatMap(one => one.findings);
+  if (!done.some(({ one }) => one.agreed === true) && !findings.length) return after;
+  const typed = new Set(done.map(({ one }) => one.name)); // what was typed with the variant is meant for it
+  const taken = answers.flatMap(one => one.taken).filter(name => !typed.has(name));
+  const unfit = answers.flatMap(one => one.unfit).filter(({ name }) => !typed.has(name));
   const inForm = before.form.open === at;
-  const kept = Object.entries(after.form.values).filter(([name]) => !inForm || !taken.includes(name));
+  const { values, resets } = after.form;
+  const kept = Object.entries(values).filter(([name]) => !inForm || !taken.includes(name));
   const text = programOf(after);
   return patched(after, {
-    form: inForm ? { values: Object.fromEntries(kept) } : {},
+    form: inForm ? { values: Object.fromEntries(kept), resets: { ...resets, ...resetsOf(unfit) } } : {},
     page: { offer: true, notice: findings.length ? "notice-revised" : "notice-applied" },
     desk: {
       ...(findings.length ? { converted: { control: after.form.control, text, findings } } : {}),

@@ -247,7 +247,7 @@ function createDraw(parts: Parts & { modules: Modules; pointing: Pointing }, kee
     const typed = follow === "text";
     let state = store.settle(withRun(runner.take(), settle(store.state)));
     let derived = derive(state);
-    const next = meant(seen, { state, derived });
+    const next = meant(seen, { state, derived }, modules.forms);
     if (next !== state) {
       state = store.settle(settle(next));
       derived = derive(state);

@@ -150,7 +150,7 @@ function ofView(
     { id: "definitions", title: t("definitions-title"), run: does.definitions },
     { id: "series", title: t("runs-title"), run: does.series },
     { id: "twin", title: t("twin-open"), run: () => store.update({ snippet: { twin: !snippet.twin } }) },
-    { id: "link", title: t("link-copy"), run: () => void copyLink(store) },
+    { id: "link", title: t("link-copy"), run: () => void copyLink(store, actions) },
     { id: "scenarios", title: t("scenarios-open"), run: does.scenarios },
     { id: "check", title: t("scenarios-check"), run: does.check },
     { id: "print-sheet", title: t("print-sheet"), run: () => does.paper("sheet") },

@@ -2,8 +2,8 @@
 
 import type { Actions } from "../desk/actions";
 import { findCycle } from "../desk/derive";
-import { inPlane, type Variant } from "../desk/variants";
-import { planeOf, type State } from "../state/state";
+import { inSystem, type Variant } from "../desk/variants";
+import { type State, systemOf } from "../state/state";
 import type { Store } from "../state/store";
 import { focusField } from "../views/field";
 import type { Catalogue, CycleInfo, Dialect } from "../wire";
@@ -25,9 +25,9 @@ function place(catalogue: Catalogue, shows: Shows, state: State, control: Dialec
   );
   for (const cycle of having.sort((a, b) => Number(b === here) - Number(a === here))) {
     const given = cycle === here ? state.form.values : {};
-    const plane = planeOf(state);
+    const system = systemOf(state);
     const variant = cycle.variants.find(one => {
-      const { example, values } = inPlane(one, plane);
+      const { example, values } = inSystem(one, system);
       return shows(cycle, { ...example, ...given, ...values }, name);
     });
     if (variant) return { cycle, variant };

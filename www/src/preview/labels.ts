@@ -1,7 +1,7 @@
 // Words beside what is drawn: what the core says, and how it stands there.
 
 import type { LineGroup, Reading, SceneLabel, SceneView } from "../core/scene";
-import { fixed } from "../numbers";
+import { fixed, MM_PER_INCH } from "../numbers";
 import type { LabelKind, Message, Vec3 } from "../wire";
 import type { Colours } from "./colours";
 import { add, dot, length, sub, times } from "./vec";
@@ -129,7 +129,8 @@ function letters({ frames, axis }: SceneView, colours: Colours): Label[] {
 }
 
 /** X and Z of a position as the control shows them, X as a diameter where it counts so. */
-export function readingText({ at, axes, diameter }: Reading, position: Vec3): string {
+export function readingText({ at, axes, diameter, inch }: Reading, position: Vec3): string {
   const [x, , z] = axes.map(axis => dot(sub(position, at), axis)) as Vec3;
-  return `X ${diameter ? `Ø${fixed(2 * x, 3)}` : fixed(x, 3)}  Z ${fixed(z, 3)}`;
+  const shown = (length: number): string => (inch ? fixed(length / MM_PER_INCH, 4) : fixed(length, 3));
+  return `X ${diameter ? `Ø${shown(2 * x)}` : shown(x)}  Z ${shown(z)}`;
 }

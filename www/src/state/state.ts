@@ -186,6 +186,7 @@ export interface ProgramState {
 export interface DeskState {
   pending: readonly Pending[]; // typed in the form, not yet in the program
   sought: Sought | null;
+  left: Partial<Record<Dialect, number>>; // which call the form edited when the other control was chosen
   // the form follows the cursor, what was typed in the program, or edits of its call
   follow: "cursor" | "text" | "edits" | null;
   converting: Converting | null;
@@ -428,6 +429,7 @@ export function firstState(): State {
     desk: {
       pending: [],
       sought: null,
+      left: {},
       follow: null,
       converting: null,
       converted: null,
@@ -620,6 +622,11 @@ export function beginning(state: State): OwnMachine["own"] {
 /** The working plane of the call in the form: that of its place in a program, else that in which the machine begins. */
 export function planeOf(state: State): Plane {
   return state.form.around?.plane ?? beginning(state).plane;
+}
+
+/** Plane and units of the call in the form, likewise. */
+export function systemOf(state: State): OwnMachine["own"] {
+  return { plane: planeOf(state), units: state.form.around?.units ?? beginning(state).units };
 }
 
 /** The G function of this kind, feeds and data included or not, that counts in this system. */

@@ -274,13 +274,17 @@ const AUTHORED = [
   "errors",
   "setups",
   "parked",
-  "own",
 ] as const satisfies Name[];
 
-/** Whether somebody has worked between these two: to open another call of the program is no work. */
+/**
+ * Whether somebody has worked between these two: to open another call of the program is no work, nor to choose control,
+ * unit or plane, with which another form may come.
+ */
 export function worked(before: State, after: State): boolean {
-  const names: Name[] = after.form.open === null ? [...AUTHORED, "control", "cycle", "values"] : [...AUTHORED];
-  return names.some(name => held(before, name) !== held(after, name));
+  const differs = (name: Name): boolean => held(before, name) !== held(after, name);
+  const chosen = after.form.open !== null || differs("control") || differs("own");
+  const names: Name[] = chosen ? [...AUTHORED] : [...AUTHORED, "cycle", "values"];
+  return names.some(differs);
 }
 
 /** An earlier page kept one machine. */

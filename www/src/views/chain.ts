@@ -5,7 +5,7 @@
 import type { Actions } from "../desk/actions";
 import type { Derived } from "../desk/derive";
 import { el, keyed, on, setAttribute, setText, show } from "../dom";
-import { parseNumber, plain } from "../numbers";
+import { MM_PER_INCH, parseNumber, plain } from "../numbers";
 import type { State } from "../state/state";
 import type { Store } from "../state/store";
 import { say, t } from "../texts";
@@ -76,7 +76,6 @@ function figuresOf({ limits }: ChainBar): string {
   return limits.map(one => `${one.value > 0 ? "+" : ""}${textOf(one, one.value)}`).join("\n");
 }
 
-const MM_PER_INCH = 25.4;
 const FIGURES = 2; // needles with a figure; of more the farthest has one
 
 /** A deviation on the scale: it counts from the middle of the tolerances. */

@@ -10,7 +10,7 @@ import { type IconName, icon } from "../icons";
 import { ariaKey } from "../keys";
 import { nameOf } from "../language";
 import { pack } from "../link";
-import { plain } from "../numbers";
+import { MM_PER_INCH, plain } from "../numbers";
 import type { Scenarios } from "../scenarios/scenarios";
 import { beginning, INCH, type Panel, profile, type State } from "../state/state";
 import type { Store } from "../state/store";
@@ -27,8 +27,6 @@ import { createMachine } from "./machine";
 import type { MachineData } from "./machine-data";
 import { createMenu } from "./menu";
 import { createProfile, profileName } from "./profile";
-
-const MM_PER_INCH = 25.4;
 
 /** The machine of a form, and whether its control has the right calibration data of its probe. */
 type Machine = Pick<FormView, "setup" | "calibrated">;
@@ -60,12 +58,13 @@ export function facts(control: string, { setup, calibrated }: Machine): { name: 
 const LONGEST_LINK = 200_000; // characters that every browser takes
 
 /** An address that holds the work. */
-export async function copyLink(store: Store): Promise<void> {
+export async function copyLink(store: Store, actions: Pick<Actions, "settle">): Promise<void> {
+  const kept = actions.settle(); // a link has what the program has
   const packed = await pack(shared(store.state));
   if (packed.length > LONGEST_LINK) return store.update({ page: { notice: "notice-link-long" } });
   const address = `${location.href.split("#")[0]}#s=${packed}`;
   history.replaceState(null, "", address);
-  await copyText(address, store, "notice-link");
+  await copyText(address, store, kept ? "notice-kept" : "notice-link");
 }
 
 /** Each language in its own words. */
@@ -157,7 +156,7 @@ export function createHeader(
       entry("machine", "facts", openMachine, PHONE),
       data,
       practice,
-      entry("copy", "link-copy", () => void copyLink(store)),
+      entry("copy", "link-copy", () => void copyLink(store, actions)),
       entry("print", "print-sheet", () => void later()?.paper("sheet")),
       entry("print", "print-report", () => void later()?.paper("report")),
       entry("good", "scenarios-open", ways.scenarios.open),

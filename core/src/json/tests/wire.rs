@@ -1,6 +1,7 @@
 //! `www/src/wire.ts`: the types of questions and answers as the page sees them, with what is said of them here.
 
 use crate::app::*;
+use crate::form::Unfit;
 use crate::machine::Step;
 use crate::scan::text::Form;
 use std::collections::BTreeMap;
@@ -145,6 +146,8 @@ fn the_types_of_the_page_are_those_of_the_core() {
     types.visit::<PointedView>();
     types.visit::<ChangeRequest>();
     types.visit::<Changed>();
+    types.visit::<UnfitRequest>();
+    types.visit::<Unfit>();
     types.visit::<ConvertRequest>();
     types.visit::<Converted>();
     types.visit::<AroundRequest>();

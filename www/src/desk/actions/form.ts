@@ -9,14 +9,14 @@ import {
   type Patch,
   PLANES,
   patched,
-  planeOf,
   remember,
   type State,
+  systemOf,
 } from "../../state/state";
 import type { CycleInfo, ErrorSliders } from "../../wire";
 import { findCycle } from "../derive";
 import { typedIn } from "../typing";
-import { exampleOf, inPlane, isExample, type Variant } from "../variants";
+import { exampleOf, inSystem, isExample, type Variant } from "../variants";
 import type { Acting } from "./acting";
 
 export interface FormActions {
@@ -67,15 +67,15 @@ export function createFormActions({ store, catalogue, now, replace }: Acting): F
       const state = now();
       const same = cycle.control === state.form.control && cycle.cycle === state.form.cycle;
       const suited = planeFor(state, cycle);
-      const plane = planeOf(
+      const system = systemOf(
         same ? state : patched(state, suited, { form: { control: cycle.control, open: null, around: null } }),
       );
-      const variant = chosen && inPlane(chosen, plane);
+      const variant = chosen && inSystem(chosen, system);
       if (same && variant)
-        return edits(Object.entries(isExample(cycle, state.form.values, plane) ? variant.example : variant.values));
+        return edits(Object.entries(isExample(cycle, state.form.values, system) ? variant.example : variant.values));
       const values = same
         ? state.form.values
-        : (state.form.remembered[memoryKey(cycle)] ?? variant?.example ?? exampleOf(cycle, plane));
+        : (state.form.remembered[memoryKey(cycle)] ?? variant?.example ?? exampleOf(cycle, system));
       store.update(remember(state), suited, {
         form: {
           control: cycle.control,
@@ -96,7 +96,7 @@ export function createFormActions({ store, catalogue, now, replace }: Acting): F
       const state = now();
       const suited = planeFor(state, cycle);
       const own: Patch = { form: { control: cycle.control, open: null, around: null } };
-      const { example } = inPlane(chosen, planeOf(patched(state, suited, own)));
+      const { example } = inSystem(chosen, systemOf(patched(state, suited, own)));
       const { errors } = state.part;
       const askew = chosen.aim?.element === "angle" ? ASKEW : {};
       const part = { ...errors.part, ...LIES_OFF, ...askew };
@@ -119,7 +119,7 @@ export function createFormActions({ store, catalogue, now, replace }: Acting): F
       if (cycle)
         replace("notice-example", {
           form: {
-            values: variant ? inPlane(variant, planeOf(now())).example : exampleOf(cycle, planeOf(now())),
+            values: variant ? inSystem(variant, systemOf(now())).example : exampleOf(cycle, systemOf(now())),
             open: null,
             resets: {},
             touched: {},

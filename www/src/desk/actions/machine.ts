@@ -5,19 +5,20 @@ import {
   beginning,
   memoryKey,
   NOBODY,
+  openCall,
   ownMachine,
   type Patch,
-  planeOf,
   profile,
   remember,
   type State,
+  systemOf,
   unitsIn,
 } from "../../state/state";
 import { t } from "../../texts";
 import type { CycleInfo, Dialect, MachineView, Message, Offer, OwnMachine, Plane, Setup } from "../../wire";
 import { findCycle } from "../derive";
 import { asBegun, equipped, errorsOf, freeName, used } from "../equipped";
-import { inPlane } from "../variants";
+import { inSystem } from "../variants";
 import type { Acting } from "./acting";
 import type { FormActions } from "./form";
 
@@ -74,8 +75,16 @@ export function createMachineActions(
       const known = findCycle(catalogue, control, state.machine.before[control] ?? "");
       const cycle = known ?? catalogue.cycles.find(one => one.control === control);
       if (!cycle) return;
+      const call = state.program.reading?.view.calls.findIndex(one => one === openCall(state)) ?? -1;
       form.chooseCycle(cycle);
-      store.update({ machine: { before: { ...state.machine.before, [state.form.control]: state.form.cycle } } });
+      const there = state.desk.left[control];
+      store.update({
+        machine: { before: { ...state.machine.before, [state.form.control]: state.form.cycle } },
+        desk: {
+          left: { ...state.desk.left, [state.form.control]: call < 0 ? undefined : call },
+          sought: there === undefined ? null : { call: there },
+        },
+      });
     },
     chooseProfile(setup) {
       actions.chooseControl(setup.control);
@@ -124,7 +133,7 @@ export function createMachineActions(
         : { own: { ...now().machine.own, [control]: { own: { ...ownMachine(now()), ...chosen } } } };
       const cycle = findCycle(catalogue, control, now().form.cycle);
       const suited = turns && cycle?.purpose.plane ? suits(now(), cycle.purpose.plane) : {};
-      store.update({ machine: described }, suited, turned(cycle, now(), own.plane), asBegun(now()), {
+      store.update({ machine: described }, suited, turned(cycle, now(), own), asBegun(now()), {
         view: { step: AT_END },
       });
     },
@@ -166,8 +175,8 @@ function suits({ form: { control }, machine }: State, plane: Plane): Patch {
   return { machine: { suits: { ...machine.suits, [control]: plane } } };
 }
 
-/** The worked measurement with the addresses of another plane, where the form holds one as it is. */
-function turned(cycle: CycleInfo | undefined, state: State, plane: Plane): Patch {
+/** The worked measurement as another plane and other units have it, where the form holds one as it is. */
+function turned(cycle: CycleInfo | undefined, state: State, system: OwnMachine["own"]): Patch {
   const { values, open } = state.form;
   const { sought } = state.desk;
   const filled = (all: Record<string, string>): string =>
@@ -176,6 +185,6 @@ function turned(cycle: CycleInfo | undefined, state: State, plane: Plane): Patch
         .filter(([, value]) => value)
         .sort(),
     );
-  const held = cycle?.variants.find(one => filled(inPlane(one, planeOf(state)).example) === filled(values));
-  return held && open === null && sought === null ? { form: { values: inPlane(held, plane).example } } : {};
+  const held = cycle?.variants.find(one => filled(inSystem(one, systemOf(state)).example) === filled(values));
+  return held && open === null && sought === null ? { form: { values: inSystem(held, system).example } } : {};
 }
