@@ -78,7 +78,7 @@ describe("the answer", () => {
     const setpoint = page.locator('.field[data-field="_SETVAL"] .entry-line > .figure');
     const before = await setpoint.inputValue();
     await setpoint.fill("-1");
-    await bar(page).locator(".answer-none").waitFor();
+    await bar(page).locator(".answer-none", { hasText: "_SETVAL" }).waitFor();
     await counts(verdict(page), 0);
     assert.doesNotMatch(await page.locator(".answer-line").textContent(), /Ø/);
     await page.waitForFunction(() => document.querySelector(".answer [role=status]").textContent === "");

@@ -35,10 +35,19 @@ export function createKeeping(store: Store): () => void {
   };
 }
 
+/** Where it lies over what is read, a notice goes as soon as somebody goes on. */
+function goneOnTap(store: Store, narrow = matchMedia("(max-width: 1199px)")): void {
+  document.addEventListener("pointerdown", ({ target }) => {
+    if (!narrow.matches || !store.state.page.notice || (target as Element).closest(".notice, dialog")) return;
+    store.update({ page: { notice: "" } });
+  });
+}
+
 /** To be called with each state that is drawn. */
 export function createNoticing(store: Store): (state: State) => void {
   let noticed = "";
   let hiding = 0;
+  goneOnTap(store);
   return ({ page: { notice, offer } }) => {
     if (notice === noticed) return;
     noticed = notice;

@@ -13,6 +13,7 @@ import type { Answer, CertaintyView, Figure, Raised, RunView, WholeCertainty } f
 import { allParts, amount, correctedText, figureText, mainFigures, unitBehind } from "./amounts";
 import { certainty } from "./certain";
 import { gaugePicture } from "./gauge";
+import { missing } from "./missing";
 import { offersOf } from "./problem";
 
 const REST = 500; // ms without a change, then it is spoken
@@ -87,17 +88,18 @@ const endedBy = (state: State, { run, view }: Derived): Raised | undefined =>
 
 const raisedText = ({ code, message }: Raised): string => [code, say(message)].filter(Boolean).join(" ");
 
-/** Why there is no answer: nothing is simulated yet, or the call measures nothing; then how it ended. */
+/** Why there is no answer: what the form lacks, or the call measures nothing; then how it ended. */
+function why(state: State, derived: Derived): string {
+  if (state.view.source === "program") return derived.simulates === "yes" ? t("bar-none") : "";
+  return derived.view.outcome ? t("bar-unmeasured") : missing(derived);
+}
+
 function unanswered(state: State, derived: Derived, give: Actions["give"]): TemplateResult {
   const raised = endedBy(state, derived);
-  const some = state.view.source !== "program" && derived.view.outcome;
-  const words = raised ? raisedText(raised) : t(some ? "bar-unmeasured" : "bar-none");
-  const offers = raised ? offersOf(raised, give) : [];
-  return html`<span class="answer-none" ?data-stopped=${raised !== undefined}>${
-    derived.simulates === "yes"
-      ? html`${raised ? iconPart(VERDICT_ICONS.stopped) : nothing}<span>${words}</span>${offers}`
-      : ""
-  }</span>`;
+  if (!raised) return html`<span class="answer-none">${why(state, derived)}</span>`;
+  return html`<span class="answer-none" data-stopped
+    >${iconPart(VERDICT_ICONS.stopped)}<span>${raisedText(raised)}</span>${offersOf(raised, give)}</span
+  >`;
 }
 
 /** In a sentence: for those who hear it. */

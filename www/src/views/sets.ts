@@ -46,6 +46,8 @@ export function createSets(actions: Actions): Sets {
   on(undo, "click", () => actions.step(1));
   on(close, "click", () => dialog.close());
 
+  let before = ""; // what was said when it opened: that was no step of this dialog
+
   const make = (known: string): HTMLLIElement => {
     const input = el("input", {
       type: "text",
@@ -89,9 +91,12 @@ export function createSets(actions: Actions): Sets {
         make,
         () => undefined,
       );
-      setText(said, state.page.offer && state.page.notice ? t(state.page.notice) : "");
-      showElse(undo, state.page.offer, close);
-      setAttribute(undo, "disabled", !state.page.offer);
+      const { notice, offer } = state.page;
+      if (!dialog.open || !notice) before = notice;
+      const own = offer && notice !== before;
+      setText(said, own ? t(notice) : "");
+      showElse(undo, own, close);
+      setAttribute(undo, "disabled", !own);
     },
   };
 }

@@ -18,6 +18,7 @@ import { t } from "../../texts";
 import type { CycleInfo, Dialect, MachineView, Message, Offer, OwnMachine, Plane, Setup } from "../../wire";
 import { findCycle } from "../derive";
 import { asBegun, equipped, errorsOf, freeName, used } from "../equipped";
+import { answeredByLeaving } from "../typing";
 import { inSystem } from "../variants";
 import type { Acting } from "./acting";
 import type { FormActions } from "./form";
@@ -70,8 +71,9 @@ export function createMachineActions(
       });
     },
     chooseControl(control) {
+      if (control === now().form.control) return;
+      store.update(state => answeredByLeaving(state, true));
       const state = now();
-      if (control === state.form.control) return;
       const known = findCycle(catalogue, control, state.machine.before[control] ?? "");
       const cycle = known ?? catalogue.cycles.find(one => one.control === control);
       if (!cycle) return;
