@@ -464,7 +464,7 @@ refused-unreadable = { $name } wurde nicht geöffnet: Der Browser kann die Datei
 refused-folder = { $name } wurde nicht geöffnet: Das ist ein Ordner ohne Dateien.
 refused-setup = { $name } ist keine Maschineneinrichtung und wurde nicht geöffnet: { $why } „Einrichtung exportieren“ schreibt eine zum Vergleich. Ihre Maschineneinrichtung ist unverändert.
 refused-place = Zeile { $line }, Spalte { $column }: { $text }
-refused-other-control = { $name } wurde geöffnet. Es beginnt wie ein Programm für { $control }: Seine Aufrufe werden hier nicht gelesen.
+refused-other-control = { $name } wurde geöffnet. Es beginnt wie ein Programm für { $control }: Aufrufe für { $control } werden hier nicht gelesen.
 refused-under = Unter { $control } öffnen
 refused-close = Schließen
 

@@ -455,7 +455,7 @@ refused-unreadable = { $name } was not opened: the browser cannot read it. The f
 refused-folder = { $name } was not opened: it is a folder without files.
 refused-setup = { $name } is not a setup and was not opened: { $why } “Export setup” writes one for comparison. Your setup is unchanged.
 refused-place = line { $line }, column { $column }: { $text }
-refused-other-control = { $name } was opened. It begins like a program for { $control }: its calls are not read here.
+refused-other-control = { $name } was opened. It begins like a program for { $control }: calls for { $control } are not read here.
 refused-under = Open under { $control }
 refused-close = Close
 

@@ -448,7 +448,7 @@ refused-unreadable = 未打开 { $name }：浏览器无法读取。文件可能�
 refused-folder = 未打开 { $name }：这是没有文件的文件夹。
 refused-setup = 未打开 { $name }：这不是机床配置文件。{ $why }可用“导出机床配置”生成一个作对照。您的机床配置没有改变。
 refused-place = 第 { $line } 行第 { $column } 列：{ $text }
-refused-other-control = { $name } 已打开。从开头看，这是 { $control } 系统的程序：这里不读取其中的调用。
+refused-other-control = { $name } 已打开。从开头看，这是 { $control } 系统的程序：这里不读取 { $control } 的调用。
 refused-under = 在 { $control } 下打开
 refused-close = 关闭
 
