@@ -93,10 +93,13 @@ impl Rules<'_> {
         for block in program.blocks_of(unit) {
             let words = program.words_of(block);
             jumps |= block.skip.is_some() || words.iter().any(|word| word.keyword().is_some());
-            self.block(state, words);
+            self.words(state, words);
             self.motion(state, block);
             if jumps {
                 *state = state.meet(&before);
+            }
+            if block.skip.is_none() && goes_back(program, words) {
+                break;
             }
         }
         self.depth -= 1;
@@ -107,6 +110,38 @@ impl Follow for Rules<'_> {
     type State = State;
 
     fn block(&mut self, state: &mut State, words: &[Word]) {
+        self.words(state, words);
+        if goes_back(self.program, words) {
+            *state = State::default();
+        }
+    }
+
+    fn motion(&mut self, state: &mut State, block: &Block) {
+        let Some(motion) = self.program.plain(block) else { return };
+        if state.unknown.is_empty() && state.drilling.is_none() {
+            return;
+        }
+        let (mut codes, mut axes) = (Vec::new(), [None; 3]);
+        for part in motion.parts() {
+            match part.letter {
+                b'G' => codes.extend(tenths(part.value).map(|code| (code, part.span))),
+                letter @ b'X'..=b'Z' => axes[usize::from(letter - b'X')] = Some((Some(part.value), part.span)),
+                _ => {}
+            }
+        }
+        self.take(state, &codes, axes);
+    }
+}
+
+/// Whether nothing comes to the block behind this one: M99 without a condition.
+fn goes_back(program: &Program, words: &[Word]) -> bool {
+    let back = words.iter().any(|word| program.machine_function(word) == Some(99.0));
+    back && !words.iter().any(|word| program.is_keyword(word, &["IF"]))
+}
+
+impl Rules<'_> {
+    /// Takes in the words of a block, and the program that it calls.
+    fn words(&mut self, state: &mut State, words: &[Word]) {
         let Some(first) = words.first() else { return };
         let program = self.program;
         let code = |word: &Word| Some((tenths(program.constant(word, "G")?)?, word.span));
@@ -128,21 +163,5 @@ impl Follow for Rules<'_> {
         if let Some(unit) = unit.filter(|_| !later) {
             self.through(state, unit);
         }
-    }
-
-    fn motion(&mut self, state: &mut State, block: &Block) {
-        let Some(motion) = self.program.plain(block) else { return };
-        if state.unknown.is_empty() && state.drilling.is_none() {
-            return;
-        }
-        let (mut codes, mut axes) = (Vec::new(), [None; 3]);
-        for part in motion.parts() {
-            match part.letter {
-                b'G' => codes.extend(tenths(part.value).map(|code| (code, part.span))),
-                letter @ b'X'..=b'Z' => axes[usize::from(letter - b'X')] = Some((Some(part.value), part.span)),
-                _ => {}
-            }
-        }
-        self.take(state, &codes, axes);
     }
 }
