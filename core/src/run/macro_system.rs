@@ -103,7 +103,7 @@ fn one_of(first: bool, yes: f64, no: f64) -> f64 {
 }
 
 /// Which of the words that a program left unread decides over the value of a number.
-pub fn left_open<'a>(unread: &'a Unread, number: u32) -> Option<&'a Span> {
+pub fn left_open(unread: &Unread, number: u32) -> Option<&Span> {
     let function = |name: &str| unread.iter().find(|(open, _)| open.as_str() == name).map(|(_, span)| span);
     match position(number) {
         Some((5080, _)) => function("G10"),
