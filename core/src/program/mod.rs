@@ -17,6 +17,7 @@ pub mod flow;
 mod held;
 mod jumped;
 pub mod lists;
+pub(crate) mod nct_functions;
 pub mod of_control;
 pub mod others;
 mod own_words;

@@ -28,6 +28,8 @@ pub fn perform(run: &mut Interpreter, mut found: Words) -> Result<Next, Halt> {
         }
         unread::own(run, program.words_at(at), found.path.span)?;
         gcode::apply(run, &mut found, gcode::beside_macro)?;
+        unread::functions(run, &found.addresses);
+        gcode::leave(run, &mut found, false);
         cycle::addresses(run, cycle, &found)?;
         return Ok(Next::Block);
     }
@@ -36,9 +38,17 @@ pub fn perform(run: &mut Interpreter, mut found: Words) -> Result<Next, Halt> {
         gcode::apply(run, &mut found, gcode::beside_macro)?;
         return Ok(macro_call::with_arguments(run, at, &found)?);
     }
+    if numbered && macro_call::modal(run, &found) {
+        gcode::apply(run, &mut found, gcode::beside_macro)?;
+        return Ok(Next::Block);
+    }
     let subprogram = numbered && found.function("M", 98.0).is_some();
     gcode::apply(run, &mut found, |_| true)?;
     transformed::apply(run, &mut found);
+    // whoever does not know where it stands does not know either what is in the way
+    let unwatched = unread::somewhere(run);
+    unread::functions(run, &found.addresses);
+    gcode::leave(run, &mut found, true);
     if !found.path.stays {
         unread::placed(run, &found.addresses);
     }
@@ -54,7 +64,11 @@ pub fn perform(run: &mut Interpreter, mut found: Words) -> Result<Next, Halt> {
     motion::turn(run, &found.path)?;
     let moves = !frame::applied(run, &found)? && found.path.moves();
     if moves {
-        motion::go(run, &found.path)?;
+        let still = run.sim.still;
+        run.sim.still |= unwatched;
+        let gone = motion::go(run, &found.path);
+        run.sim.still = still;
+        gone?;
     }
     for address in &found.positioning {
         motion::position_axis(run, address)?;
@@ -66,7 +80,13 @@ pub fn perform(run: &mut Interpreter, mut found: Words) -> Result<Next, Halt> {
     if subprogram {
         return Ok(macro_call::with_variables(run, at, &found)?);
     }
-    let passes = repeat::passes(found.of("P").next())?;
+    if end.is_none()
+        && let Some(next) = macro_call::after_motion(run, &found)?
+    {
+        return Ok(next);
+    }
+    // P of G4, of a drilling cycle and the like is a time
+    let passes = if numbered { 1 } else { repeat::passes(found.of("P").next())? };
     let mut calls = subprogram::calls(run, &found)?;
     if moves && found.path.pole.is_none() && calls.is_empty() {
         calls.extend(run.levels.last().and_then(|level| level.modal.clone()));

@@ -130,12 +130,22 @@ pub fn target(run: &Interpreter, id: ExprId) -> Result<String, Problem> {
     {
         return Ok(run.program.name(*name));
     }
-    Ok(named(&evaluate(run, id)?))
+    match evaluate(run, id)? {
+        Datum::Vacant => {
+            let place = run.program.place(id);
+            Err(Problem::new("run-not-a-number", place, run.program.written(place)))
+        }
+        value => Ok(named(&value)),
+    }
 }
+
+/// How far a number that was worked out may lie from the whole one that is meant.
+const NEARLY: f64 = 1e-9;
 
 /// The target that a value tells.
 pub fn named(value: &Datum) -> String {
     match value {
+        Datum::Number(number) if (number - number.round()).abs() < NEARLY => format!("N{}", number.round()),
         Datum::Number(number) => format!("N{number}"),
         other => other.shown().to_ascii_uppercase(),
     }

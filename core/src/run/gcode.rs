@@ -1,11 +1,13 @@
 //! G functions: motion, plane, frames, units, absolute and incremental; and words without a value that set something.
 
 use super::{
-    Compensation, FeedType, Interpreter, Measure, Motion, Pole, Suppress, Words, contour::Outside, motion, unread,
+    Compensation, FeedType, Interpreter, Measure, Motion, Pole, Suppress, Words, contour::Outside, motion, noted,
+    unread,
 };
-use crate::control::Plane;
-use crate::diagnostic::Severity;
+use crate::control::{AXES, Plane};
+use crate::diagnostic::{Severity, Span};
 use crate::problem::Problem;
+use crate::program::nct_functions::{self, Course, Effect, Left, Said};
 use crate::program::words::{Setting, setting};
 
 pub fn settings(run: &mut Interpreter, found: &mut Words) {
@@ -46,7 +48,8 @@ pub fn apply(run: &mut Interpreter, found: &mut Words, counts: fn(f64) -> bool) 
             continue;
         }
         let whole = number.fract() == 0.0 && (0.0..1000.0).contains(&number);
-        if !(whole && one(run, number as u16, found)) {
+        let known = whole && one(run, number as u16, found);
+        if !known && !(run.rules().unsimulated)(run, number, span) {
             found.path.stays = true;
             unread::leave_axes(run, found);
             run.tell(Severity::Error, &Problem::new("run-unknown-word", span, format!("G{number}")));
@@ -91,7 +94,10 @@ fn one(run: &mut Interpreter, code: u16, found: &mut Words) -> bool {
         54..=57 => run.sim.control.activate(usize::from(code) - 53),
         90 => run.modal.absolute = true,
         91 => run.modal.absolute = false,
-        9 | 60 | 61 | 64 | 80 => {}
+        93 => run.modal.feed_type = FeedType::Inverse,
+        95 => run.modal.feed_type = FeedType::Revolution,
+        96 => run.modal.feed_type = FeedType::Cutting,
+        9 | 60 | 61 | 64 => {}
         94 => run.modal.feed_type = FeedType::Minute,
         _ if run.sim.control.choose_units(code) => {}
         _ => return (run.rules().function)(run, code, found),
@@ -108,17 +114,15 @@ pub fn sinumerik(run: &mut Interpreter, code: u16, found: &mut Words) -> bool {
         153 => found.path.suppress = Suppress::All,
         500 => run.sim.control.activate(0),
         505..=599 => run.sim.control.activate(usize::from(code) - 500),
-        93 => run.modal.feed_type = FeedType::Inverse,
-        95 => run.modal.feed_type = FeedType::Revolution,
         97 | 971..=973 => {
             run.modal.speed = motion::spindle_speed(run); // the spindle goes on turning as fast
             run.modal.feed_type = if code == 97 { FeedType::Revolution } else { FeedType::Minute };
         }
-        96 | 962 => run.modal.feed_type = FeedType::Cutting,
+        962 => run.modal.feed_type = FeedType::Cutting,
         961 => run.modal.feed_type = FeedType::CuttingMinute,
         450 => run.modal.outside = Outside::Circle,
         451 => run.modal.outside = Outside::Meeting,
-        62 | 140..=143 | 290 | 291 | 340 | 341 | 452 | 453 | 460..=462 | 601..=603 | 621 | 641..=645 => {}
+        62 | 80 | 140..=143 | 290 | 291 | 340 | 341 | 452 | 453 | 460..=462 | 601..=603 | 621 | 641..=645 => {}
         _ => return false,
     }
     true
@@ -127,10 +131,44 @@ pub fn sinumerik(run: &mut Interpreter, code: u16, found: &mut Words) -> bool {
 pub fn nct(run: &mut Interpreter, code: u16, found: &mut Words) -> bool {
     match code {
         31 => found.path.measure = Some(Measure { input: 1, goes_on: false }),
-        43 | 98 | 99 => {}
+        43 => {}
         49 => run.sim.with_length(|control| control.edge = 0),
         58 | 59 => run.sim.control.activate(usize::from(code) - 53),
+        97 => {
+            run.modal.speed = motion::spindle_speed(run); // the spindle goes on turning as fast
+            run.modal.feed_type = FeedType::Minute;
+        }
         _ => return false,
     }
     true
+}
+
+/// A G function that is passed over: what it does not say of a measurement is told once; false: there is none.
+pub fn nct_unsimulated(run: &mut Interpreter, code: f64, span: Span) -> bool {
+    let Some(effect) = nct_functions::tenths(code).and_then(nct_functions::effect) else { return false };
+    if !matches!(effect, Effect::Tunes | Effect::Closes(_) | Effect::DrillsNoMore) {
+        noted::without(run, "run-passed", span, &format!("G{code}"));
+    }
+    true
+}
+
+/// What the functions of a block leave unknown, and whether its axes go where they are written. The axis words beside a
+/// macro are its arguments (`moves` is false).
+pub fn leave(run: &mut Interpreter, found: &mut Words, moves: bool) {
+    if !run.program.grammar().numbered {
+        return;
+    }
+    let codes =
+        found.of("G").filter_map(|address| Some((nct_functions::tenths(address.value.number()?)?, address.span)));
+    let written = |name| found.of(name).last().map(|address| (address.value.number(), address.span));
+    let said = Said {
+        codes: &codes.collect::<Vec<_>>(),
+        axes: if moves { AXES.map(written) } else { [None; 3] },
+        absolute: run.modal.absolute,
+        plane: run.sim.control.plane,
+    };
+    let mut left = Left { unknown: &mut run.unread, drilling: &mut run.modal.drilling };
+    let course = nct_functions::pass(&said, &mut left);
+    found.path.stays |= course != Course::There;
+    found.path.elsewhere = course == Course::Elsewhere;
 }

@@ -1,7 +1,11 @@
 //! Calls of programs on NCT: `M98 P110 L2`, `G65 P9110 A1. B2.` with arguments, and the way back, `M99`.
 
 use super::macro_variables::{holding, local};
-use super::{Call, Interpreter, Locals, Next, Words, branch, repeat, subprogram, subprogram::Variables};
+use super::{
+    Address, Call, Datum, Halt, Interpreter, Locals, Next, Words, branch, cycle, repeat, subprogram,
+    subprogram::Variables,
+};
+use crate::catalogue;
 use crate::diagnostic::{Severity, Span};
 use crate::problem::Problem;
 use crate::syntax::programs;
@@ -21,6 +25,38 @@ pub fn with_arguments(run: &mut Interpreter, at: usize, found: &Words) -> Result
         level.variables = Variables::Arguments(arguments);
     }
     Ok(next)
+}
+
+/// `G66 P…` is called after each block that moves up to `G67`, in the program that contains it.
+pub fn modal(run: &mut Interpreter, found: &Words) -> bool {
+    let begins = found.function("G", 66.0).is_some();
+    let ends = found.function("G", 67.0).is_some();
+    if let Some(level) = run.levels.last_mut().filter(|_| begins || ends) {
+        let called = |address: &Address| match address.name.as_str() {
+            "G" if address.value.number() == Some(66.0) => {
+                Some(Address { value: Datum::Number(65.0), ..address.clone() })
+            }
+            "G" => None,
+            _ => Some(address.clone()),
+        };
+        level.after_motion = begins.then(|| found.addresses.iter().filter_map(called).collect());
+    }
+    begins
+}
+
+/// Calls what `G66` named, where the block has moved; none: nothing is called.
+pub fn after_motion(run: &mut Interpreter, found: &Words) -> Result<Option<Next>, Halt> {
+    if !(found.path.moves() || found.path.elsewhere) {
+        return Ok(None);
+    }
+    let Some(addresses) = run.levels.last().and_then(|level| level.after_motion.clone()) else { return Ok(None) };
+    let mut call = Words::before(found.at, found.path.span);
+    call.addresses = addresses;
+    let number = call.of("P").last().and_then(|address| address.value.number());
+    match number.and_then(catalogue::by_program) {
+        Some(cycle) => cycle::addresses(run, cycle, &call).map(|()| None),
+        None => Ok(Some(with_arguments(run, call.at, &call)?)),
+    }
 }
 
 /// `M98 P…`: a program of the text that works with the variables of its caller.

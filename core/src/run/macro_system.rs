@@ -1,11 +1,12 @@
 //! What an NCT control tells its programs, and takes from them, by numbers from #3000: #3001 by C:90, signal positions
 //! and length offset by N 183, the others as on controls with this macro language.
 
-use super::{Datum, FeedType, Interpreter, macro_variables::local};
-use crate::control::{Control, NCT, Units};
+use super::{Datum, FeedType, Interpreter, macro_variables::local, unread::Unread};
+use crate::control::{AXES, Control, NCT, Units};
 use crate::diagnostic::Span;
 use crate::machine::{Machine, Step};
 use crate::problem::Problem;
+use crate::program::nct_functions::is_open;
 
 /// Stops with an alarm of the program, whose text is the comment of the block.
 const ALARM: u32 = 3000;
@@ -82,6 +83,7 @@ fn modal(run: &Interpreter, number: u32) -> Option<f64> {
         4001 => f64::from(modal.motion as u8),
         4002 => f64::from(control.plane.code()),
         4003 => one_of(modal.absolute, 90.0, 91.0),
+        4005 if modal.feed_type == FeedType::Inverse => 93.0,
         4005 => one_of(modal.feed_type == FeedType::Minute, 94.0, 95.0),
         4006 => one_of(control.active_units == Units::Inch, 20.0, 21.0),
         4007 => f64::from(40 + modal.compensation as u8),
@@ -98,6 +100,21 @@ fn modal(run: &Interpreter, number: u32) -> Option<f64> {
 
 fn one_of(first: bool, yes: f64, no: f64) -> f64 {
     if first { yes } else { no }
+}
+
+/// Which of the words that a program left unread decides over the value of a number.
+pub fn left_open(unread: &Unread, number: u32) -> Option<&Span> {
+    let function = |name: &str| unread.iter().find(|(open, _)| open.as_str() == name).map(|(_, span)| span);
+    match position(number) {
+        Some((5080, _)) => function("G10"),
+        Some((group, axis)) => {
+            let frame = || unread.iter().find(|(name, _)| is_open(name)).map(|(_, span)| span);
+            unread.get(AXES[axis]).or_else(|| frame().filter(|_| group != 5020))
+        }
+        None if offset(number).is_some() => function("G10"),
+        None if number == 4014 => function("G54.1"),
+        None => None,
+    }
 }
 
 /// A group of positions and the axis in it.

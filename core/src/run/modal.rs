@@ -2,6 +2,7 @@
 
 use super::contour::Outside;
 use super::transformed::Axes;
+use crate::diagnostic::Span;
 
 /// Modal functions of a program.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -37,6 +38,8 @@ pub struct Modal {
     pub allowance: f64,
     /// Whether axis words move anything: not between TRANSMIT and TRAFOOF.
     pub axes: Axes,
+    /// NCT: the drilling cycle that is active.
+    pub drilling: Option<Span>,
     /// NCT: register of the tool radius (D).
     pub radius: i64,
 }

@@ -117,6 +117,8 @@ pub struct Path {
     pub corner_feed: Option<f64>,
     /// Whether the axis words are no target of a motion.
     pub stays: bool,
+    /// Whether the block moves all the same, to where only the machine knows.
+    pub elsewhere: bool,
     pub span: Span,
 }
 

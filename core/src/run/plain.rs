@@ -45,8 +45,9 @@ fn moves_alone(run: &Interpreter, plain: &Plain) -> bool {
         b'K' => locals::declared(run, "K"),
         _ => false,
     };
-    let calls = run.levels.last().is_some_and(|level| level.modal.is_some());
-    run.unread.is_empty() && !calls && run.modal.axes == Axes::Move && !plain.parts().any(variable)
+    let calls = run.levels.last().is_some_and(|level| level.modal.is_some() || level.after_motion.is_some());
+    let ordinary = run.modal.axes == Axes::Move && run.modal.drilling.is_none();
+    run.unread.is_empty() && !calls && ordinary && !plain.parts().any(variable)
 }
 
 fn drive(run: &mut Interpreter, span: Span, plain: &Plain) -> Result<(), Halt> {

@@ -1,6 +1,7 @@
 //! What differs between the controls in how a program is run, chosen once by its language.
 
 use super::{Datum, Interpreter, Motion, Words, expression, gcode, gcode::Instead, tool};
+use crate::diagnostic::Span;
 use crate::dialect::Dialect;
 use crate::problem::Problem;
 use crate::syntax::tree::Operator;
@@ -11,6 +12,8 @@ pub struct Rules {
     pub motion: Motion,
     /// Carries out a G function that the other language does not have; false: there is none.
     pub function: fn(&mut Interpreter, u16, &mut Words) -> bool,
+    /// Passes over a G function that only the other language does not have either, and tells that; false: there is none.
+    pub unsimulated: fn(&mut Interpreter, f64, Span) -> bool,
     /// What is done instead of a G function that is not simulated.
     pub instead: fn(f64) -> Option<Instead>,
     /// Takes T, D, H and M6 of a block.
@@ -32,6 +35,7 @@ pub struct Rules {
 static SINUMERIK: Rules = Rules {
     motion: Motion::Line,
     function: gcode::sinumerik,
+    unsimulated: |_, _, _| false,
     instead: gcode::instead,
     tool: tool::sinumerik,
     operate: |operator, a, b, _| expression::nearly(operator, a, b),
@@ -45,6 +49,7 @@ static SINUMERIK: Rules = Rules {
 static NCT: Rules = Rules {
     motion: Motion::Rapid, // its programs move without F at first, C:1164
     function: gcode::nct,
+    unsimulated: gcode::nct_unsimulated,
     instead: |_| None,
     tool: tool::nct,
     operate: |operator, a, b, vacant| vacant.or_else(|| expression::numbers(expression::bits(operator)?, a, b)),

@@ -43,7 +43,7 @@ impl Call {
 }
 
 /// Address words of a block, by letter, in order.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Address {
     /// Letters in upper case.
     pub name: String,

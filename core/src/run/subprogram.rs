@@ -2,8 +2,8 @@
 //! parameters by value and by reference, passes, `SAVE`, the way back.
 
 use super::{
-    Call, Datum, Interpreter, Local, Locals, Modal, Next, Variable, Words, declare, declare::Declaring, expression,
-    limits, locals, names, noted, repeat, repeat::Repetition,
+    Address, Call, Datum, Interpreter, Local, Locals, Modal, Next, Variable, Words, declare, declare::Declaring,
+    expression, limits, locals, names, noted, repeat, repeat::Repetition,
 };
 use crate::control::{Frame, Plane, Units};
 use crate::diagnostic::{Severity, Span};
@@ -34,6 +34,8 @@ pub struct Level {
     pub variables: Variables,
     /// What is called after each block that moves (`MCALL`).
     pub modal: Option<Call>,
+    /// NCT: the macro that is called after each block that moves (`G66 P4000 A10`), by its addresses.
+    pub after_motion: Option<Vec<Address>>,
     /// Whether the block of the call goes on where it was left: the modal program of a pattern of holes.
     pub again: bool,
     /// What `SAVE` brings back at the end.

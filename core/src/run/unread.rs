@@ -1,10 +1,10 @@
 //! Words of a program that could not be read: told as reading tells them and named at the end. What they would have
 //! written is not known from then on, so that nothing is calculated or measured with an older value.
 
-use super::{Address, Interpreter, Words, stem};
+use super::{Address, Interpreter, Words, macro_system, stem};
 use crate::catalogue::CYCLES;
 use crate::check;
-use crate::control::{gud, nct_data};
+use crate::control::{AXES, gud, nct_data};
 use crate::diagnostic::{Diagnostic, Span};
 use crate::dialect::Dialect;
 use crate::entry::{Cycle, Typed};
@@ -144,14 +144,24 @@ fn group(code: u32) -> Option<u32> {
     })
 }
 
+/// The G functions of a block say anew what those of their groups left unknown.
+pub fn functions(run: &mut Interpreter, addresses: &[Address]) {
+    let codes = addresses.iter().filter(|address| address.name == "G").filter_map(|address| address.value.number());
+    for code in codes.filter(|code| code.fract() == 0.0) {
+        let new = group(code as u32);
+        let said = |name: &str| name.strip_prefix('G').and_then(leading).and_then(group);
+        run.unread.retain(|name, _| new.is_none() || said(name) != new);
+    }
+}
+
+/// Whether nobody knows where some axis stands.
+pub fn somewhere(run: &Interpreter) -> bool {
+    !run.unread.is_empty() && AXES.iter().any(|axis| run.unread.contains_key(*axis))
+}
+
 /// The addresses of a block say anew where the axes stand and which tool is in use.
 pub fn placed(run: &mut Interpreter, addresses: &[Address]) {
     for address in addresses {
-        if let ("G", Some(code)) = (&*address.name, address.value.number()) {
-            let new = group(code as u32);
-            let said = |name: &str| name.strip_prefix('G').and_then(leading).and_then(group);
-            run.unread.retain(|name, _| new.is_none() || said(name) != new);
-        }
         let absolute = match address.mode.as_deref() {
             Some(mode) => !mode.contains("IC"),
             None => run.modal.absolute || ["T", "D", "H"].contains(&address.name.as_str()),
@@ -165,7 +175,9 @@ pub fn placed(run: &mut Interpreter, addresses: &[Address]) {
 /// A variable is read whose value may be unknown.
 pub fn known(run: &Interpreter, key: &str, place: Span) -> Result<(), Problem> {
     let unread = [key, stem(key)].into_iter().find_map(|name| run.unread.get(name));
-    unread.map_or(Ok(()), |word| Err(unknown(run, key, *word, place)))
+    let number = key.strip_prefix('#').filter(|_| !run.unread.is_empty()).and_then(|number| number.parse().ok());
+    let told = || number.and_then(|number| macro_system::left_open(&run.unread, number));
+    unread.or_else(told).map_or(Ok(()), |word| Err(unknown(run, key, *word, place)))
 }
 
 /// A call measures where the machine stands, with the tool in use and the data of the machine.

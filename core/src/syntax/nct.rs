@@ -1,7 +1,7 @@
 //! Words of the NCT language.
 
 use super::expression::expression;
-use super::nct_expression::{bracket, decimal_comma, variable};
+use super::nct_expression::{bracket, decimal_comma, operator, variable};
 use super::number;
 use super::reader::{Parsed, Reader};
 use super::tree::{Expr, ExprId, WordKind};
@@ -78,19 +78,49 @@ fn plain(reader: &mut Reader) -> Parsed<ExprId> {
     Err(&own::SYNTAX_VALUE)
 }
 
-/// `IF[…]`, `WHILE[…]`, `DO1`, `END1`, `GOTO 100`, `THEN`.
+/// `IF[…]`, `WHILE[…]`, `DO1`, `END1`, `GOTO 100`, `GOTO #1+1`, `THEN`.
 fn keyword(reader: &mut Reader) -> Parsed<()> {
-    const WORDS: &[(&[u8], bool)] =
-        &[(b"WHILE", true), (b"GOTO", true), (b"THEN", false), (b"END", true), (b"IF", true), (b"DO", true)];
+    const WORDS: &[(&[u8], Takes)] = &[
+        (b"WHILE", Takes::Operand),
+        (b"GOTO", Takes::Expression),
+        (b"THEN", Takes::Nothing),
+        (b"END", Takes::Operand),
+        (b"IF", Takes::Operand),
+        (b"DO", Takes::Operand),
+    ];
     let start = reader.at;
-    let (word, valued) = WORDS.iter().find(|(word, _)| reader.begins(word)).ok_or(&own::SYNTAX_UNKNOWN)?;
+    let (word, takes) = WORDS.iter().find(|(word, _)| reader.begins(word)).ok_or(&own::SYNTAX_UNKNOWN)?;
     reader.at += word.len();
     let name = reader.from(start);
     reader.blanks();
-    let value = match (valued, reader.byte(0)) {
-        (false, _) => None,
-        (true, b'[') => Some(bracket(reader)?.id),
-        (true, _) => Some(plain(reader)?),
+    let value = match takes {
+        Takes::Nothing => None,
+        Takes::Expression if reader.done() => return Err(&own::SYNTAX_VALUE),
+        Takes::Expression => Some(expression(reader, 0)?.id),
+        Takes::Operand => Some(operand_alone(reader)?),
     };
     reader.word(start, WordKind::Keyword { name, value })
+}
+
+/// What stands behind a keyword.
+enum Takes {
+    Nothing,
+    /// A number, a variable or a bracket.
+    Operand,
+    /// A formula: where it leads only the whole of it tells (N 188).
+    Expression,
+}
+
+/// A number, a variable or a bracket that no operator follows: a part of a formula decides nothing.
+fn operand_alone(reader: &mut Reader) -> Parsed<ExprId> {
+    let value = if reader.byte(0) == b'[' { bracket(reader)?.id } else { plain(reader)? };
+    let behind = reader.at;
+    reader.blanks();
+    match operator(reader) {
+        Some(_) => Err(&own::SYNTAX_UNKNOWN),
+        None => {
+            reader.at = behind;
+            Ok(value)
+        }
+    }
 }

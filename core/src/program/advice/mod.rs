@@ -7,6 +7,7 @@ mod generation;
 mod inherited;
 mod logs;
 mod nct;
+mod nct_frames;
 mod nct_levels;
 mod older;
 mod read_back;
@@ -72,6 +73,7 @@ pub fn advice(program: &Program, sites: &[CallSite], control: &Control) -> Vec<D
     around::look(program, control, sites, &mut found);
     if program.grammar().by_address {
         nct::look(program, &programs, sites, &mut found);
+        nct_frames::look(program, &programs, sites, &mut found);
         nct_levels::look(program, &programs, control, sites, &mut found);
         return found;
     }

@@ -10,7 +10,7 @@ use crate::program::calls::CallSite;
 use crate::program::change::line_at_begin;
 use crate::program::flow::Mode;
 use crate::syntax::programs::{Programs, Unit, numbered};
-use crate::syntax::{Block, Program};
+use crate::syntax::{Block, Program, Word};
 
 /// Everything about the macros that the text calls.
 pub fn look(program: &Program, programs: &Programs, sites: &[CallSite], found: &mut Vec<Diagnostic>) {
@@ -71,7 +71,7 @@ fn words<'a>(program: &'a Program, blocks: &'a [Block]) -> impl Iterator<Item = 
     blocks.iter().flat_map(|block| program.words_of(block)).filter_map(|word| {
         let said = if let Some(number) = program.machine_function(word) {
             if number == 98.0 { Said::Calls } else { Said::Machine(number as i64) }
-        } else if program.literal(word, "G") == Some(65.0) {
+        } else if calls_macro(program, word) {
             Said::Calls
         } else if program.is_keyword(word, &["GOTO"]) {
             Said::Leaves
@@ -82,6 +82,11 @@ fn words<'a>(program: &'a Program, blocks: &'a [Block]) -> impl Iterator<Item = 
         };
         Some((word.span, said))
     })
+}
+
+/// Whether a word calls the program at P with arguments: G65, or G66 after each motion.
+pub(super) fn calls_macro(program: &Program, word: &Word) -> bool {
+    matches!(program.literal(word, "G"), Some(65.0 | 66.0))
 }
 
 /// Whether a program is one from its beginning on: it has a number, or the end of a main program. One that ends as a
@@ -191,7 +196,7 @@ impl Unitary<'_> {
 /// The macro that a block calls by its program number.
 fn measuring_program(program: &Program, block: &Block) -> bool {
     let called = program.words_of(block).iter().find_map(|word| program.literal(word, "P"));
-    let by_macro = program.words_of(block).iter().any(|word| program.literal(word, "G") == Some(65.0));
+    let by_macro = program.words_of(block).iter().any(|word| calls_macro(program, word));
     by_macro && called.is_some_and(|number| by_program(number).is_some())
 }
 

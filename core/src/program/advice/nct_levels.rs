@@ -1,7 +1,7 @@
 //! Levels of an NCT control: a macro calls macros and subprograms itself (C:142-144), so that a call needs more of them
 //! than the programs that lead to it. How many a control has is in its own description, here in the machine's data.
 
-use super::nct::called_here;
+use super::nct::{called_here, calls_macro};
 use super::subprograms;
 use crate::catalogue::by_program;
 use crate::catalogue::nct::levels::levels;
@@ -39,7 +39,7 @@ pub fn look(
         return;
     }
     let call = |block: &Block| {
-        let by_macro = program.words_of(block).iter().any(|word| program.literal(word, "G") == Some(65.0));
+        let by_macro = program.words_of(block).iter().any(|word| calls_macro(program, word));
         called_here(program, programs, block).map(|unit| Call { unit, by_macro })
     };
     let of_unit = |unit| program.blocks_of(unit).iter().filter_map(call).collect();

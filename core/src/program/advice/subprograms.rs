@@ -73,7 +73,7 @@ fn numbered_outside(program: &Program, programs: &Programs, block: &Block) -> Op
     let number = |letter: &str| {
         program.words_of(block).iter().find_map(|word| Some((word.span, program.literal(word, letter)?)))
     };
-    let by_macro = number("G").is_some_and(|(_, code)| code == 65.0);
+    let by_macro = program.words_of(block).iter().any(|word| super::nct::calls_macro(program, word));
     if !by_macro && number("M").is_none_or(|(_, code)| code != 98.0) {
         return None;
     }
