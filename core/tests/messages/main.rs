@@ -189,7 +189,7 @@ fn the_name_of_a_choice_does_not_repeat_its_number() {
 #[test]
 fn what_is_written_beside_a_drawing_has_words() {
     let words = Words::english();
-    let [real, off] = labels::dimension([0.0; 3], true, [40.0, 39.9], None);
+    let [real, off] = labels::dimension([0.0; 3], true, [40.0, 39.9], None, Units::Metric);
     let said = |label: &Label| words.text(&label.text[0]);
     assert_eq!([said(&real), said(&off)], ["Ø39.900", "Ø40.000 −0.100"]);
     let at = |moved| Frame { name: "G54".to_owned(), at: [0.0; 3], axes: UNITS, moved };
