@@ -11,7 +11,7 @@ use crate::syntax::language::is_word;
 /// approached, how an orientation is interpolated, which channel has an axis, what the screen shows and how the editor
 /// groups blocks, what a subprogram may be interrupted by.
 const WITHOUT_EFFECT: &[&str] = &[
-    "STOPRE", "BRISK", "SOFT", "DRIVE", "BRISKA", "SOFTA", "DRIVEA", "FFWON", "FFWOF", "CFC", "CFIN", "CFTCP", "NORM",
+    "STOPRE", "BRISK", "SOFT", "DRIVE", "BRISKA", "SOFTA", "DRIVEA", "FFWON", "FFWOF", "CFC", "CFCIN", "CFIN", "CFTCP", "NORM",
     "CUT2D", "CUT2DF", "CDON", "CDOF", "CDOF2", "SAVE", "DISPLOF", "DISPLON", "SBLOF", "SBLON", "DELDTG", "STARTFIFO",
     "STOPFIFO", "FIFOCTRL", "WALIMON", "WALIMOF", "RTLION", "RTLIOF", "COMPOF", "COMPON", "COMPCAD", "COMPCURV",
     "CPRECON", "CPRECOF", "UPATH", "SPATH", "FNORM", "CUTCONOF", "BNAT", "ENAT", "CORROF", "DRFOF", "DYNNORM",
@@ -84,6 +84,10 @@ pub enum Setting {
     Suppress,
     /// How X is written.
     Transverse(Transverse),
+    /// X by its radius, as a cycle computes with it, while the control still shows what was active before.
+    RadiiInCycles,
+    /// Each axis is written again as the channel says.
+    AsChannel,
     /// A circle through a point.
     Through,
     /// A circle that goes on from the motion before.
@@ -96,6 +100,18 @@ pub enum Setting {
     Approach,
 }
 
+/// What a word with the name of an axis says of its positions alone (`DIAMONA[X]`); the inner none: they are written as
+/// the channel says. The outer: it is no such word.
+pub fn of_axis(name: &str) -> Option<Option<Transverse>> {
+    Some(match name {
+        "DIAMOFA" => Some(Transverse::Radius),
+        "DIAMONA" => Some(Transverse::Diameter),
+        "DIAM90A" => Some(Transverse::AbsoluteDiameter),
+        "DIAMCHANA" => None,
+        _ => return None,
+    })
+}
+
 /// What a word sets; none: it is no such word.
 pub fn setting(name: &str) -> Option<Setting> {
     Some(match name {
@@ -103,6 +119,8 @@ pub fn setting(name: &str) -> Option<Setting> {
         "DIAMOF" => Setting::Transverse(Transverse::Radius),
         "DIAMON" => Setting::Transverse(Transverse::Diameter),
         "DIAM90" => Setting::Transverse(Transverse::AbsoluteDiameter),
+        "DIAMCYCOF" => Setting::RadiiInCycles,
+        "DIAMCHAN" => Setting::AsChannel,
         "CIP" => Setting::Through,
         "CT" => Setting::Tangential,
         "ASPLINE" | "BSPLINE" | "CSPLINE" | "POLY" => Setting::Spline,

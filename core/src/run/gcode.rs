@@ -1,7 +1,8 @@
 //! G functions: motion, plane, frames, units, absolute and incremental; and words without a value that set something.
 
 use super::{
-    Compensation, FeedType, Interpreter, Measure, Motion, Pole, Suppress, Words, contour::Outside, motion, unread,
+    Compensation, FeedType, Interpreter, Measure, Motion, Pole, Suppress, Words, contour::Outside, diameters, motion,
+    unread,
 };
 use crate::control::Plane;
 use crate::diagnostic::Severity;
@@ -12,7 +13,9 @@ pub fn settings(run: &mut Interpreter, found: &mut Words) {
     for call in &found.calls {
         match setting(&call.name) {
             Some(Setting::Suppress) => found.path.suppress = Suppress::All,
-            Some(Setting::Transverse(transverse)) => run.sim.control.transverse = transverse,
+            Some(Setting::Transverse(transverse)) => diameters::of_channel(run, transverse),
+            Some(Setting::RadiiInCycles) => diameters::of_cycles(run),
+            Some(Setting::AsChannel) => diameters::as_channel(run),
             Some(Setting::Through) => run.modal.motion = Motion::Through,
             Some(Setting::Tangential) => run.modal.motion = Motion::Tangential,
             Some(Setting::Spline) => {

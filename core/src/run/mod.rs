@@ -14,6 +14,7 @@ mod cycle;
 mod datum;
 mod declare;
 mod defined;
+mod diameters;
 mod endless;
 mod expression;
 mod files;

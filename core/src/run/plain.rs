@@ -54,7 +54,7 @@ fn drive(run: &mut Interpreter, span: Span, plain: &Plain) -> Result<(), Halt> {
     let (factor, feed_factor) = (control.active_factor(), control.data_factor());
     let mut path = Path { span, ..Path::default() };
     for part in plain.parts() {
-        let coordinate = Some(Coordinate { value: part.value * factor, absolute: None });
+        let coordinate = Some(Coordinate { value: part.value * factor, absolute: None, diameter: None });
         let place = match part.letter {
             b'G' => {
                 run.modal.motion = function(part.value);

@@ -1,7 +1,7 @@
 //! One block: words in order (assignments act at once), then functions, motion and calls together.
 
 use super::{
-    Datum, Halt, Interpreter, Measure, Next, Path, action, back, branch, contour, declare, declare::Declaring,
+    Datum, Halt, Interpreter, Measure, Next, Path, action, back, branch, contour, declare, declare::Declaring, diameters,
     evaluate, expression, indexed, locals, names, noted, of_control, plain, repeat, synchronous, tool_memory, unread,
 };
 use crate::diagnostic::{Severity, Span};
@@ -229,6 +229,9 @@ pub(super) fn word_of(run: &mut Interpreter, word: &Word, found: &mut Words) -> 
         }
         WordKind::Call { name, args, .. } => {
             let word_name = run.program.name(*name);
+            if diameters::take(run, &word_name, args, word.span)? {
+                return Ok(true);
+            }
             let own = run.programs.named(&word_name).is_some();
             let args = if !own && ignores_arguments(&word_name) { &[] } else { &args[..] };
             found.calls.push(call(run, *name, args, word.span)?);
