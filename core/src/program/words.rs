@@ -55,7 +55,7 @@ pub fn left_out(name: &str) -> Option<bool> {
 
 /// Whether the interpreter takes a word, or it changes nothing that is simulated.
 pub fn known(name: &str) -> bool {
-    WITHOUT_EFFECT.contains(&name) || setting(name).is_some()
+    WITHOUT_EFFECT.contains(&name) || setting(name).is_some() || of_axis(name).is_some()
 }
 
 /// Whether a word begins something behind which the axes are not those that are written.

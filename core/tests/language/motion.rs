@@ -1,7 +1,7 @@
 //! Lines, arcs, feeds, measuring blocks.
 
 use super::running::{block, go_on};
-use super::{at, clean, fault, feed, findings, go, near, number, setup};
+use super::{at, clean, end, fault, feed, findings, go, near, number, setup};
 use probewright_core::geometry::Mcs;
 use probewright_core::machine::Stop;
 use probewright_core::machine::route::Route;

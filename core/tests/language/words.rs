@@ -180,7 +180,7 @@ fn what_is_left_out_leaves_the_axes_where_they_belong() {
         ("G1 F100 X6 POS[X]=8 FA[X]=500", "run-positioning", 8.0),
         ("G247 G41 DISR=5 X6 Y0 F100\nG40 G1 X7", "run-not-simulated", 7.0),
         ("TRAORI\nX7 A3=0 C3=1", "run-passed", 7.0),
-        ("G[29]=1 X7", "run-passed", 7.0),
+        ("G[30]=1 X7", "run-passed", 7.0),
         ("FXS[Z1]=1 OS[Z]=1 STAT=2 SUG=35 X7", "run-passed", 7.0),
         ("FINEA[X]\nMEASA[X]=(1,1) X7", "run-passed", 7.0),
         ("POLY PO[X]=(7,1,2) PL=1 F100", "run-spline", 7.0),
