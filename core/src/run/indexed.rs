@@ -1,7 +1,9 @@
 //! Addresses that are written like elements of an array: `SPOS[1]=AC(90)`, `S[1]=500`, `M[1]=3`, `AX[NAME]=5`,
 //! `G[8]=2`.
 
-use super::{Address, Call, Datum, Interpreter, Words, declare, diameters, evaluate, locals, noted, other_axes, system};
+use super::{
+    Address, Call, Datum, Interpreter, Words, declare, diameters, evaluate, locals, noted, other_axes, system,
+};
 use crate::diagnostic::{Severity, Span};
 use crate::problem::Problem;
 use crate::syntax::tree::{Expr, ExprId, Word, WordKind};

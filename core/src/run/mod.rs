@@ -9,6 +9,7 @@ mod back;
 mod branch;
 pub(crate) mod call;
 pub mod called;
+mod circle_data;
 mod contour;
 mod cycle;
 mod datum;
@@ -69,6 +70,7 @@ mod system;
 mod tool;
 mod tool_memory;
 mod transformed;
+mod uncomputed;
 mod unread;
 
 pub use call::predict;

@@ -73,9 +73,8 @@ pub(super) const OF_AXIS: &[&[u8]] = &[
     b"DIAMCHANA",
 ];
 /// Kinds of dimension that stand around a value: `X=IC(5)`.
-pub(super) const MODES: &[&[u8]] = &[
-    b"AC", b"IC", b"DC", b"ACP", b"ACN", b"CAC", b"CIC", b"CDC", b"CACP", b"CACN", b"DAC", b"DIC", b"RAC", b"RIC",
-];
+pub(super) const MODES: &[&[u8]] =
+    &[b"AC", b"IC", b"DC", b"ACP", b"ACN", b"CAC", b"CIC", b"CDC", b"CACP", b"CACN", b"DAC", b"DIC", b"RAC", b"RIC"];
 
 /// Whether a name is one of these, without regard to case.
 pub(super) fn is_one_of(name: &[u8], list: &[&[u8]]) -> bool {

@@ -45,10 +45,28 @@ fn measured(lines: &str) -> Outcome {
 fn no_call_measures_with_a_value_that_could_not_be_read() {
     assert_eq!(measured("").stop, None);
     for lines in [
-        "_FA=1e-9", "_FA=2,5", "_TSA=1e0", "_FA = (2", "R1=1e1\n_FA=R1", "R [1]=1e1\n_FA=2+R[1]",
-        "DEF REAL LEN=1e1\n_FA=LEN", "_CHBIT[10]=1e0", "X1e1", "G1 F100 Z1,5", "D1,5", "X0+5", "_FA=20%",
-        "G54\u{a0}G18", "G91.5.5", "_MA=3\u{2212}1", "DIAMONA[X", "DIAMONB[X]\nX0", "DIAMONA[Y]\nY0 X0",
-        "DIAMON\nDIAMCHANA[Y]\nX0", "DIAMONA[Y]\nDIAMON\nDIAMCHAN\nX0", "DIAMONA[X\nDIAMOF\nX0",
+        "_FA=1e-9",
+        "_FA=2,5",
+        "_TSA=1e0",
+        "_FA = (2",
+        "R1=1e1\n_FA=R1",
+        "R [1]=1e1\n_FA=2+R[1]",
+        "DEF REAL LEN=1e1\n_FA=LEN",
+        "_CHBIT[10]=1e0",
+        "X1e1",
+        "G1 F100 Z1,5",
+        "D1,5",
+        "X0+5",
+        "_FA=20%",
+        "G54\u{a0}G18",
+        "G91.5.5",
+        "_MA=3\u{2212}1",
+        "DIAMONA[X",
+        "DIAMONB[X]\nX0",
+        "DIAMONA[Y]\nY0 X0",
+        "DIAMON\nDIAMCHANA[Y]\nX0",
+        "DIAMONA[Y]\nDIAMON\nDIAMCHAN\nX0",
+        "DIAMONA[X\nDIAMOF\nX0",
     ] {
         let outcome = measured(lines);
         assert_eq!(stop(&outcome), Some("run-unread-value"), "{lines}");
