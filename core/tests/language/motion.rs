@@ -3,6 +3,7 @@
 use super::running::{block, go_on};
 use super::{at, clean, end, fault, feed, findings, go, near, number, setup};
 use probewright_core::geometry::Mcs;
+use probewright_core::json::setup_from_json;
 use probewright_core::machine::Stop;
 use probewright_core::machine::route::Route;
 use probewright_core::machine::trace::{MotionKind, Step};
@@ -248,5 +249,42 @@ fn a_dimension_is_a_diameter_or_a_radius_in_its_block_alone() {
     assert_eq!((moved.stop.is_none(), moved.position.0[0]), (true, 10.0));
     for text in ["Z=DAC(5)", "Y=RIC(5)", "C=DAC(5)", "U=RAC(5)", "I=DAC(5)"] {
         assert_eq!(fault(text), "run-not-simulated", "{text}");
+    }
+}
+
+/// A part of diameter 60.24 mm in a lathe with a calibrated probe.
+const TURNED: &str = r#"{
+    "control": "sinumerik", "plane": "G18", "active": { "tool": 8, "edge": 1, "frame": "G54" },
+    "tools": {
+        "8": { "edges": { "1": { "type": 580, "tip": 7, "length": [40, 100, 0], "radius": 3 } } },
+        "7": { "edges": { "1": { "type": 500, "tip": 3, "length": [60, 40, 0], "radius": 0.8 } } }
+    },
+    "frames": { "G54": { "coarse": [0, 0, 200] } }, "data": { "MD18600": 1 },
+    "probe": { "radius": 3, "length": 0 }, "position": [200, 0, 400],
+    "workpiece": [{ "shape": "turned", "size": [60.24, 60, 0, 0], "at": [0, 0, 260] }]
+}"#;
+
+// oracle: manual B:10975 (diameters with DIAMON, else radii), hand: whichever word says so; the part is 0.24 mm too large
+#[test]
+fn a_cycle_measures_with_what_counts_for_the_transverse_axis() {
+    let setup = setup_from_json(TURNED).unwrap();
+    for (mode, per) in [
+        ("DIAMON", 2.0),
+        ("DIAMOF\nDIAMONA[X]", 2.0),
+        ("DIAMOFA[X]\nDIAMON\nDIAMCHAN", 2.0),
+        ("DIAMONA[X]\nDIAMCYCOF", 2.0),
+        ("DIAMOF", 1.0),
+        ("DIAMON\nDIAMOFA[X]", 1.0),
+        ("DIAMON\nDIAMCYCOF", 1.0),
+    ] {
+        let text = format!(
+            "G18 G54 T8 D1 G90\n{mode}\nG0 Z30 X=DAC(80)\n_MVAR=0 _MA=2 _TNUM=7 _KNUM=1 _TUL=0.5 _TLL=-0.5 _TMV=0.01 \
+             _TDIF=1 _TZL=0 _TSA=1 _K=1 _VMS=0 _NMSP=1 _FA=3 _PRNUM=1 _EVNUM=0 _SETVAL={}\nCYCLE974\nM30",
+            30.0 * per
+        );
+        let outcome = go_on(&setup, &text);
+        assert_eq!(outcome.stop, None, "{mode}");
+        near(outcome.control.number("_OVR[4]"), 30.12 * per, mode);
+        near(outcome.control.number("_OVR[16]"), 0.12 * per, mode);
     }
 }
