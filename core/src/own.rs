@@ -322,6 +322,7 @@ sentences! {
     DEFINED_HERE 241 Note "defined-here" "defined-here-hint";
     DEFINITION_MANY 242 Warning "definition-many" "definition-many-hint";
     SEARCH_ENDED 243 Note "search-ended" "search-ended-hint";
+    BLOCK_LETTER_NAME 244 Warning "block-letter-name" "block-axis-name-hint";
     NCT_PLACE_OPEN 246 Warning "nct-place-open" "nct-place-open-hint";
     REVISE_AROUND 252 Note "revise-around" "";
     REVISE_AROUND_LEFT 253 Warning "revise-around-left" "revise-around-left-hint";

@@ -27,6 +27,7 @@ syntax-macro-long-hint = Den Text auf mehrere Sätze verteilen oder in ein Unter
 block-twice = { $word } ist in diesem Satz doppelt programmiert: Die Steuerung hält an diesem Satz an.
 block-twice-hint = Nur eine Angabe schreiben oder jede in einen eigenen Satz.
 block-axis-name = { $word } ist eine Achse: Eine Variable darf nicht so heißen.
+block-letter-name = { $word } ist eine Adresse: Eine Variable darf nicht so heißen.
 block-axis-name-hint = Einen Namen wählen, der mit zwei Buchstaben oder einem Unterstrich beginnt.
 syntax-write = { $value } schreiben.
 syntax-behind-end = Der Text nach dem Dateiende (Zeichen Strg-Z) wird nicht gelesen.

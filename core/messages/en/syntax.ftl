@@ -27,6 +27,7 @@ syntax-macro-long-hint = Write the text as several blocks, or as a subprogram.
 block-twice = { $word } is programmed twice in this block: the control stops at this block.
 block-twice-hint = Delete one of them, or program each in its own block.
 block-axis-name = { $word } is an axis: a variable cannot have this name.
+block-letter-name = { $word } is an address: a variable cannot have this name.
 block-axis-name-hint = Choose a name that starts with two letters or an underscore.
 syntax-write = Write { $value }.
 syntax-behind-end = Text after the end of the file (character Ctrl-Z) is not read.

@@ -28,6 +28,7 @@ syntax-macro-long-hint = 请将文本分成多个程序段，或写成子程序�
 block-twice = 此程序段中 { $word } 编程了两次：控制系统会在此处停止。
 block-twice-hint = 请删除其中一个，或分别写入各自的程序段。
 block-axis-name = { $word } 是轴：变量不能使用此名称。
+block-letter-name = { $word } 是地址：变量不能使用此名称。
 block-axis-name-hint = 请使用以两个字母或下划线开头的名称。
 syntax-write = 请写成 { $value }。
 syntax-behind-end = 文件结束符（Ctrl-Z）之后的内容不读取。

@@ -6,7 +6,7 @@ use crate::diagnostic::{Diagnostic, Span};
 use crate::own;
 use crate::own::Own;
 use crate::syntax::fold::NOTHING;
-use crate::syntax::{Program, Word, WordKind, fold};
+use crate::syntax::{Block, Program, Word, WordKind, fold};
 
 /// Addresses that a block takes once, so that it says one thing: all that are no function, no block number, no
 /// parameter and no repetition. With an extension (`S1=500`) they are others.
@@ -29,6 +29,11 @@ pub(super) fn block_rules(program: &Program) -> Vec<Diagnostic> {
                 && AXES.iter().any(|axis| program.is(name, axis))
             {
                 found.push(at(&own::BLOCK_AXIS_NAME, program, name, name));
+            } else if let WordKind::Declare { name, .. } = word.kind
+                && defines(program, block)
+                && is_address(program.text(name))
+            {
+                found.push(at(&own::BLOCK_LETTER_NAME, program, name, name));
             } else if let WordKind::Call { name, ref args, .. } = word.kind {
                 let given: Vec<_> = args.iter().map(|id| program.given(*id)).collect();
                 let number = |index: usize| {
@@ -41,6 +46,16 @@ pub(super) fn block_rules(program: &Program) -> Vec<Diagnostic> {
         }
     }
     found
+}
+
+fn defines(program: &Program, block: &Block) -> bool {
+    program.words_of(block).first().is_some_and(|word| program.is_keyword(word, &["DEF"]))
+}
+
+/// Whether a name is that of an address, `M` or `M1`: the name of a variable begins with two letters or underscores
+/// (840D sl, Fundamentals, "Naming variables").
+fn is_address(name: &[u8]) -> bool {
+    name.first().is_some_and(u8::is_ascii_alphabetic) && name.get(1).is_none_or(u8::is_ascii_digit)
 }
 
 /// The place in `ONCE` of an address, and its letter.
@@ -81,12 +96,14 @@ mod tests {
             ("T1 D1 T2", own::BLOCK_TWICE, "T2"),
             ("DEF REAL X", own::BLOCK_AXIS_NAME, "X"),
             ("DEF INT _A, y=3", own::BLOCK_AXIS_NAME, "y"),
+            ("DEF REAL M[3]", own::BLOCK_LETTER_NAME, "M"),
+            ("DEF CHAN INT _1, I1=5", own::BLOCK_LETTER_NAME, "I1"),
         ] {
             assert_eq!(told(text), [(sentence.code(), word.to_owned())], "{text}");
         }
         for text in [
             "G0 G90 M3 M8 X1 Y2", "S1=500 S2=300 S700", "R1=1 R1=2", "X1\nX2", "POS[X]=1 POS[Y]=2",
-            "DEF REAL XY, _X, I",
+            "DEF REAL XY, _X, I_, _1", "PROC L10(REAL A)",
         ] {
             assert_eq!(told(text), [], "{text}");
         }

@@ -3,7 +3,7 @@
 use super::{
     Call, Datum, Halt, Interpreter, Next, Words, addresses, back, cycle, files, frame, gcode, listed, macro_call,
     motion, noted, of_control, of_string, older, repeat, restart, standard, subprogram, swivel, tool, tool_memory,
-    transformed, unread,
+    transformed, uncomputed, unread,
 };
 use crate::diagnostic::Span;
 use crate::geometry::Degrees;
@@ -202,6 +202,8 @@ pub fn carry_out(run: &mut Interpreter, at: usize, call: &Call, passes: u32) -> 
         return of_string::carry_out(run, at, call);
     } else if name == RESTART {
         return Ok(Some(restart::begin_again(run, at, call.span)));
+    } else if uncomputed::call(run, call) {
+        // told, and what it would have written is not known
     } else if known(name) || is_frame(name) || transforms(name) {
         // done, or nothing to do
     } else if is_standard(name) {

@@ -1,7 +1,8 @@
 //! Addresses of a block: axes, arcs, feed, speed, spindle angle.
 
 use super::{
-    Address, Coordinate, Datum, Interpreter, Path, action::machine_function, motion, noted, other_axes, path::Corner,
+    Address, Coordinate, Datum, Interpreter, Path, action::machine_function, diameters, motion, noted, other_axes,
+    path::Corner,
 };
 use crate::control::AXES;
 use crate::geometry::Degrees;
@@ -13,6 +14,9 @@ pub fn take(run: &mut Interpreter, address: &Address, path: &mut Path) -> Result
     let rules = run.rules();
     let factor = run.sim.control.active_factor();
     let name = address.name.as_str();
+    if let Some(mode) = address.mode.as_deref().filter(|mode| diameters::by_block(mode).is_some()) {
+        diameters::takes(address, mode)?;
+    }
     match name {
         "X" | "Y" | "Z" if address.extension.is_none() => {
             put(&mut path.axes, AXES, name, coordinate(address, factor)?);
@@ -96,13 +100,16 @@ pub fn number(address: &Address) -> Result<f64, Problem> {
 
 /// Where an axis goes, absolute or by an increment.
 pub fn coordinate(address: &Address, factor: f64) -> Result<Coordinate, Problem> {
-    let absolute = match address.mode.as_deref() {
-        None => None,
-        Some("AC") => Some(true),
-        Some("IC") => Some(false),
-        Some(mode) => return Err(Problem::new("run-function", address.span, mode)),
+    let [absolute, diameter] = match address.mode.as_deref() {
+        None => [None, None],
+        Some("AC") => [Some(true), None],
+        Some("IC") => [Some(false), None],
+        Some(mode) => match diameters::by_block(mode) {
+            Some(meant) => meant.map(Some),
+            None => return Err(Problem::new("run-function", address.span, mode)),
+        },
     };
-    Ok(Coordinate { value: number(address)? * factor, absolute })
+    Ok(Coordinate { value: number(address)? * factor, absolute, diameter })
 }
 
 /// A rotary axis of the machine, another axis, else something that is not simulated.

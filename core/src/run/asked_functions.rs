@@ -1,18 +1,26 @@
 //! Functions that ask the control: for variables, files, axes, tools. Those that only the machine can answer are data
-//! of it: what is assumed for them is told.
+//! of it: what is assumed for them is told. What one computes that is not simulated is not assumed: see `uncomputed`.
 
-use super::{Datum, Interpreter, files, locals, names, of_machine, other_axes, sprint, stem};
-use crate::control::{arrays, machine_data};
+use super::{Datum, Interpreter, files, locals, names, of_machine, other_axes, sprint, stem, uncomputed};
+use crate::control::{ROTARY, arrays, machine_data};
 use crate::diagnostic::Span;
 use crate::name::numbered;
+use crate::syntax::language::is_function;
 
-/// Functions whose value only the machine has: search of tools and places, tables, contours, axes of spindles.
-const OF_MACHINE: [&str; 34] = [
-    "ADDFRAME", "CALCDAT", "CALCPOSI", "CHKDNO", "CORRTC", "CORRTRAFO", "CTAB", "CTABEXISTS", "CTABFNO", "CTABINV",
-    "CTABISLOCK", "CTABMEMTYP", "CTABNO", "CTABPERIOD", "GETACTT", "GETACTTD", "GETDNO", "GETPROT", "GETTCOR",
-    "GETTENV", "GETVARAP", "GETVARDFT", "GETVARDIM", "GETVARLIM", "GETVARPHU", "GETVARTYP", "HASPROT", "INTERSEC",
-    "LENTOAX", "MODAXVAL", "NAMETOINT", "SETDNO", "SETTCOR", "STRINGIS",
+/// Functions whose value only the machine has: search of tools and places, of tables and data.
+const OF_MACHINE: [&str; 21] = [
+    "CHKDNO", "CTABEXISTS", "CTABFNO", "CTABISLOCK", "CTABMEMTYP", "CTABNO", "CTABPERIOD", "GETACTT", "GETACTTD",
+    "GETDNO", "GETPROT", "GETVARAP", "GETVARDFT", "GETVARDIM", "GETVARLIM", "GETVARPHU", "GETVARTYP", "HASPROT",
+    "NAMETOINT", "SETDNO", "STRINGIS",
 ];
+
+/// Others of this place.
+const OTHERS: [&str; 4] = ["ISFILE", "MODAXVAL", "SPI", "TOOLENV"];
+
+/// Whether there is a function of this name, whatever its values.
+pub fn is_known(name: &str) -> bool {
+    is_function(name) || OTHERS.contains(&name) || OF_MACHINE.contains(&name) || uncomputed::find(name).is_some()
+}
 
 /// Value of such a function; none: another one, or no values for it.
 pub fn call(run: &Interpreter, name: &str, values: &[Datum], place: Span) -> Option<Datum> {
@@ -26,13 +34,21 @@ pub fn call(run: &Interpreter, name: &str, values: &[Datum], place: Span) -> Opt
             other_axes::is_name(&name).then_some(Datum::Word(name))?
         }
         ("SPRINT", [Datum::Text(pattern), rest @ ..]) => Datum::Text(sprint::filled(pattern, rest)?),
-        ("MEAFRAME", _) => {
-            of_machine::assume(run, format!("{name}()"), place)?;
-            Datum::Frame(Box::default())
+        ("MODAXVAL", [Datum::Word(axis), position]) if ROTARY.contains(&axis.as_str()) => {
+            Datum::Number(in_modulo_range(run, axis, position.number()?))
         }
         _ if OF_MACHINE.contains(&name) => of_machine::assume(run, format!("{name}()"), place)?,
         _ => return None,
     })
+}
+
+/// A position of a rotary axis within its modulo range: MD 30330 and from MD 30340 on, 360° from 0 as delivered.
+fn in_modulo_range(run: &Interpreter, axis: &str, position: f64) -> f64 {
+    let data = &run.sim.control.data;
+    let of_axis = |name: &str| data.get(&format!("{name}[{axis}]")).and_then(|value| Datum::from(value).number());
+    let range = of_axis("$MA_MODULO_RANGE").filter(|range| *range > 0.0).unwrap_or(360.0);
+    let start = of_axis("$MA_MODULO_RANGE_START").unwrap_or(0.0);
+    start + (position - start).rem_euclid(range)
 }
 
 /// Whether a program of this place can read the variable that a text names: `R1`, `_OVR[0]`, `$MC_…`.

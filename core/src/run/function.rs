@@ -1,6 +1,6 @@
 //! Functions of expressions: arithmetic, texts, frames. Angles in degree.
 
-use super::{Datum, Interpreter, asked_functions, expression::element, expression::list};
+use super::{Datum, Interpreter, asked_functions, expression::element, expression::list, uncomputed};
 use crate::control::{AXES, Frame, ROTARY, variables::set_component};
 use crate::diagnostic::Span;
 use crate::problem::Problem;
@@ -12,6 +12,9 @@ pub fn call(run: &Interpreter, place: Span, args: &[ExprId]) -> Result<Datum, Pr
     let refused = || Problem::new("run-function", place, name.as_str());
     if name == "SET" {
         return list(run, args).map(Datum::List);
+    }
+    if uncomputed::find(&name).is_some() {
+        return Err(Problem::new("run-not-simulated", place, name));
     }
     let values = args.iter().map(|arg| element(run, *arg, place)).collect::<Result<Vec<_>, _>>()?;
     if name == "REP" {
@@ -26,9 +29,14 @@ pub fn call(run: &Interpreter, place: Span, args: &[ExprId]) -> Result<Datum, Pr
     if let Some(value) = of_texts(&name, &values) {
         return Ok(value);
     }
+    // a name that is none of the functions is not known, whatever its values are
+    let missing = || match asked_functions::is_known(&name) {
+        true => refused(),
+        false => Problem::new("run-unknown-word", place, name.as_str()),
+    };
     let numbers: Vec<f64> = values.iter().filter_map(Datum::number).collect();
     if numbers.len() < values.len() {
-        return asked_functions::call(run, &name, &values, place).ok_or_else(refused);
+        return asked_functions::call(run, &name, &values, place).ok_or_else(missing);
     }
     let value = match numbers[..] {
         [number] if name == "NOT" => Some((run.rules().not)(number)),
@@ -37,10 +45,7 @@ pub fn call(run: &Interpreter, place: Span, args: &[ExprId]) -> Result<Datum, Pr
     match value {
         Some(value) if value.is_finite() => Ok(Datum::Number(value)),
         Some(_) => Err(refused()),
-        None => {
-            let unknown = || Problem::new("run-unknown-word", place, name.as_str());
-            asked_functions::call(run, &name, &values, place).ok_or_else(unknown)
-        }
+        None => asked_functions::call(run, &name, &values, place).ok_or_else(missing),
     }
 }
 

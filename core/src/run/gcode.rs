@@ -1,8 +1,8 @@
 //! G functions: motion, plane, frames, units, absolute and incremental; and words without a value that set something.
 
 use super::{
-    Compensation, FeedType, Interpreter, Measure, Motion, Pole, Suppress, Words, contour::Outside, motion, noted,
-    unread,
+    Compensation, FeedType, Interpreter, Measure, Motion, Pole, Suppress, Words, contour::Outside, diameters, motion,
+    noted, unread,
 };
 use crate::control::{AXES, Plane};
 use crate::diagnostic::{Severity, Span};
@@ -14,7 +14,9 @@ pub fn settings(run: &mut Interpreter, found: &mut Words) {
     for call in &found.calls {
         match setting(&call.name) {
             Some(Setting::Suppress) => found.path.suppress = Suppress::All,
-            Some(Setting::Transverse(transverse)) => run.sim.control.transverse = transverse,
+            Some(Setting::Transverse(transverse)) => diameters::of_channel(run, transverse),
+            Some(Setting::RadiiInCycles) => diameters::of_cycles(run),
+            Some(Setting::AsChannel) => diameters::as_channel(run),
             Some(Setting::Through) => run.modal.motion = Motion::Through,
             Some(Setting::Tangential) => run.modal.motion = Motion::Tangential,
             Some(Setting::Spline) => {
@@ -42,6 +44,10 @@ pub fn apply(run: &mut Interpreter, found: &mut Words, counts: fn(f64) -> bool) 
             let problem = Problem::new("run-not-simulated", span, format!("G{number}"));
             match instead {
                 Instead::Stays => found.path.stays = true,
+                Instead::Leaves => {
+                    found.path.stays = true;
+                    unread::leave_axes(run, found);
+                }
                 Instead::GoesOn => {}
             }
             run.tell(Severity::Warning, &problem);
@@ -62,19 +68,23 @@ pub fn apply(run: &mut Interpreter, found: &mut Words, counts: fn(f64) -> bool) 
 pub enum Instead {
     /// The axes stay where they are: limits, fixed points, a thread that goes in and comes out again.
     Stays,
-    /// The block moves as without it: a smooth approach.
+    /// Nobody knows where the axes of the block stand behind it: plunge-cutting along an inclined axis.
+    Leaves,
+    /// The block moves as without it: a smooth approach, what the maker of the machine defined.
     GoesOn,
 }
 
-/// SINUMERIK: G25 and G26 limits, G33 to G35, G63, G331, G332 threads, G74 and G75 reference and fixed points, G147 to
-/// G348 smooth approach and retraction.
+/// SINUMERIK: G25 and G26 limits, G33 to G35, G63, G331, G332, G335, G336 threads, G74, G75 and G751 (by way of a point)
+/// reference and fixed points, G147 to G348 smooth approach and retraction; G5 oblique plunge-cut grinding, G7 its
+/// compensating motion; G810 to G829 of the machine's maker (840D sl, Fundamentals, groups of G functions).
 pub fn instead(number: f64) -> Option<Instead> {
     if number.fract() != 0.0 {
         return None;
     }
     match number as i64 {
-        25 | 26 | 33..=35 | 63 | 74 | 75 | 331 | 332 => Some(Instead::Stays),
-        147 | 148 | 247 | 248 | 347 | 348 => Some(Instead::GoesOn),
+        25 | 26 | 33..=35 | 63 | 74 | 75 | 331 | 332 | 335 | 336 | 751 => Some(Instead::Stays),
+        5 | 7 => Some(Instead::Leaves),
+        147 | 148 | 247 | 248 | 347 | 348 | 810..=829 => Some(Instead::GoesOn),
         _ => None,
     }
 }
@@ -114,9 +124,16 @@ pub fn sinumerik(run: &mut Interpreter, code: u16, found: &mut Words) -> bool {
         153 => found.path.suppress = Suppress::All,
         500 => run.sim.control.activate(0),
         505..=599 => run.sim.control.activate(usize::from(code) - 500),
-        97 | 971..=973 => {
-            run.modal.speed = motion::spindle_speed(run); // the spindle goes on turning as fast
-            run.modal.feed_type = if code == 97 { FeedType::Revolution } else { FeedType::Minute };
+        // the spindle goes on turning as fast; G942 and G952 freeze its speed too
+        97 | 942 | 952 | 971..=973 => {
+            run.modal.speed = motion::spindle_speed(run);
+            let a_turn = matches!(code, 97 | 952);
+            run.modal.feed_type = if a_turn { FeedType::Revolution } else { FeedType::Minute };
+        }
+        // F is the time of a block, whose unit is not certain: the feed stays as it was before
+        931 => {
+            let place = found.function("G", 931.0).map_or(found.path.span, |word| word.span);
+            noted::without(run, "run-passed", place, "G931");
         }
         962 => run.modal.feed_type = FeedType::Cutting,
         961 => run.modal.feed_type = FeedType::CuttingMinute,

@@ -1,13 +1,15 @@
 //! Addresses that are written like elements of an array: `SPOS[1]=AC(90)`, `S[1]=500`, `M[1]=3`, `AX[NAME]=5`,
 //! `G[8]=2`.
 
-use super::{Address, Datum, Interpreter, Words, declare, evaluate, locals, noted, other_axes, system};
+use super::{
+    Address, Call, Datum, Interpreter, Words, declare, diameters, evaluate, locals, noted, other_axes, system,
+};
 use crate::diagnostic::{Severity, Span};
 use crate::problem::Problem;
 use crate::syntax::tree::{Expr, ExprId, Word, WordKind};
 
 /// How a position may be meant.
-const MODES: [&str; 7] = ["AC", "IC", "DC", "ACP", "ACN", "CAC", "CIC"];
+const MODES: [&str; 11] = ["AC", "IC", "DC", "ACP", "ACN", "CAC", "CIC", "DAC", "DIC", "RAC", "RIC"];
 
 /// Axes that move by themselves; `POSA` does not wait for their end.
 const POSITIONING: [&str; 2] = ["POS", "POSA"];
@@ -50,6 +52,10 @@ pub fn take(run: &mut Interpreter, word: &Word, found: &mut Words) -> Result<boo
 fn by_group(run: &mut Interpreter, group: ExprId, value: ExprId, span: Span, found: &mut Words) -> Result<(), Problem> {
     let [group, number] = [group, value].map(|id| evaluate(run, id));
     let (group, number) = (group?.number(), number?.number());
+    if let Some(name) = group.zip(number).and_then(|(group, number)| diameters::function(group, number)) {
+        found.calls.push(Call::named(name, span));
+        return Ok(());
+    }
     match group.zip(number).and_then(|(group, number)| system::function(group, number)) {
         Some(code) => {
             let value = Datum::Number(code.into());
@@ -73,7 +79,7 @@ fn polynomial(run: &Interpreter, index: ExprId, value: ExprId, span: Span, found
 }
 
 /// The axis between the brackets; a name that is no variable is itself one, as `U` on a machine without it.
-fn axis_name(run: &Interpreter, index: ExprId) -> Result<String, Problem> {
+pub fn axis_name(run: &Interpreter, index: ExprId) -> Result<String, Problem> {
     match run.program.expr(index) {
         Some(Expr::Name { name, index }) if index.is_empty() && !locals::declared(run, &run.program.name(*name)) => {
             Ok(run.program.name(*name))

@@ -2,6 +2,7 @@
 
 use super::contour::Outside;
 use super::transformed::Axes;
+use crate::control::Transverse;
 use crate::diagnostic::Span;
 
 /// Modal functions of a program.
@@ -42,6 +43,17 @@ pub struct Modal {
     pub drilling: Option<Span>,
     /// NCT: register of the tool radius (D).
     pub radius: i64,
+    /// How X is written by itself and by the channel.
+    pub diameters: Diameters,
+}
+
+/// What counts for X is in the control; this is what stands behind it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Diameters {
+    /// What the channel has while X has a mode of its own (`DIAMONA[X]`); none: X has that of the channel.
+    pub channel: Option<Transverse>,
+    /// DIAMCYCOF is the last of the channel's functions.
+    pub cycles: bool,
 }
 
 /// How a block with axis words moves, up to CIP in the order in which the control counts these functions.

@@ -245,20 +245,21 @@ fn turns(run: &Interpreter, distance: f64) -> f64 {
 
 /// Target of an axis that stands at `from`, mm; increments count from `base`.
 pub fn target(run: &Interpreter, from: f64, base: f64, written: Option<Coordinate>, axis: usize) -> f64 {
-    let Some(Coordinate { value, absolute }) = written else { return from };
+    let Some(Coordinate { value, absolute, diameter }) = written else { return from };
     let absolute = absolute.unwrap_or(run.modal.absolute);
-    let value = value * radius_of(run, axis, absolute);
+    let value = value * radius_of(run, axis, absolute, diameter);
     if absolute { value } else { base + value }
 }
 
-/// What a written coordinate of an axis is multiplied with: one half for a diameter.
-fn radius_of(run: &Interpreter, axis: usize, absolute: bool) -> f64 {
-    let diameter = match run.sim.control.transverse {
+/// What a written coordinate of an axis is multiplied with: one half for a diameter, as the block itself says or as is
+/// active.
+fn radius_of(run: &Interpreter, axis: usize, absolute: bool, own: Option<bool>) -> f64 {
+    let active = match run.sim.control.transverse {
         Transverse::Radius => false,
         Transverse::Diameter => true,
         Transverse::AbsoluteDiameter => absolute,
     };
-    if axis == 0 && diameter { 0.5 } else { 1.0 }
+    if axis == 0 && own.unwrap_or(active) { 0.5 } else { 1.0 }
 }
 
 fn position(run: &Interpreter, suppress: Suppress) -> [f64; 3] {
@@ -367,7 +368,7 @@ fn arc(run: &Interpreter, path: &Path, from: [f64; 3], to: [f64; 3]) -> Option<A
         return Some(Arc::about(run.modal.pole, start, end, counter)?.with_turns(path.turns));
     }
     let centre = [a, o].map(|i| match path.centre[i] {
-        Some(Coordinate { value, absolute: Some(true) }) => value * radius_of(run, i, true),
+        Some(Coordinate { value, absolute: Some(true), .. }) => value * radius_of(run, i, true, None),
         Some(Coordinate { value, .. }) => from[i] + value,
         None => from[i],
     });

@@ -21,6 +21,8 @@ pub struct Coordinate {
     pub value: f64,
     /// AC (true) or IC (false); none: as usual for this address.
     pub absolute: Option<bool>,
+    /// By its diameter (true) or radius (false), in this block alone; none: as is active for the axis.
+    pub diameter: Option<bool>,
 }
 
 /// What a block says of a point by angle and distance.

@@ -4,7 +4,7 @@
 //! [`Program::plain`]: crate::syntax::Program::plain
 
 use super::{
-    Address, Coordinate, Datum, Halt, Interpreter, Motion, Next, Path, Words, action, locals, motion, names, statement,
+    Address, Coordinate, Datum, Halt, Interpreter, Motion, Next, Path, Words, action, locals, motion, statement,
     transformed::Axes,
 };
 use crate::diagnostic::Span;
@@ -20,10 +20,9 @@ pub fn block(run: &mut Interpreter, at: usize, span: Span, plain: &Plain) -> Res
     for part in plain.parts() {
         let address = address(part);
         if statement::hidden(run, &address.name, part.span) {
-            names::write(run, &address.name, &address.value, part.span)?;
-        } else {
-            found.addresses.push(address);
+            statement::tell_letter(run, &address.name, part.span);
         }
+        found.addresses.push(address);
     }
     action::perform(run, found)
 }
@@ -55,7 +54,7 @@ fn drive(run: &mut Interpreter, span: Span, plain: &Plain) -> Result<(), Halt> {
     let (factor, feed_factor) = (control.active_factor(), control.data_factor());
     let mut path = Path { span, ..Path::default() };
     for part in plain.parts() {
-        let coordinate = Some(Coordinate { value: part.value * factor, absolute: None });
+        let coordinate = Some(Coordinate { value: part.value * factor, absolute: None, diameter: None });
         let place = match part.letter {
             b'G' => {
                 run.modal.motion = function(part.value);

@@ -51,7 +51,7 @@ pub fn along(run: &Interpreter, path: &Path, from: [f64; 3], to: [f64; 3]) -> Op
 fn away(polar: Polar, stands: [f64; 2]) -> [f64; 2] {
     let value = |written: Option<Coordinate>, now: f64| match written {
         None => now,
-        Some(Coordinate { value, absolute: Some(false) }) => now + value,
+        Some(Coordinate { value, absolute: Some(false), .. }) => now + value,
         Some(Coordinate { value, .. }) => value,
     };
     let [x, y] = stands;

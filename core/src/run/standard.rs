@@ -383,7 +383,7 @@ fn go(
     axes: [Option<f64>; 3],
     feed: Option<f64>,
 ) -> Result<(), Halt> {
-    let axes = axes.map(|axis| axis.map(|value| Coordinate { value, absolute: Some(true) }));
+    let axes = axes.map(|axis| axis.map(|value| Coordinate { value, absolute: Some(true), diameter: None }));
     let before = std::mem::replace(&mut run.modal.motion, motion);
     let gone = motion::go(run, &Path { axes, feed, span, ..Path::default() });
     run.modal.motion = before;

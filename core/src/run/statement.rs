@@ -1,12 +1,14 @@
 //! One block: words in order (assignments act at once), then functions, motion and calls together.
 
 use super::{
-    Datum, Halt, Interpreter, Measure, Next, Path, action, back, branch, contour, declare, declare::Declaring,
-    evaluate, expression, indexed, locals, names, noted, of_control, plain, repeat, synchronous, tool_memory, unread,
+    Datum, Halt, Interpreter, Measure, Next, Path, action, back, branch, circle_data, contour, declare,
+    declare::Declaring, diameters, evaluate, expression, indexed, locals, names, noted, of_control, plain, repeat,
+    synchronous, tool_memory, uncomputed, unread,
 };
 use crate::diagnostic::{Severity, Span};
+use crate::own;
 use crate::problem::Problem;
-use crate::program::words::{ignores_arguments, left_out as left_out_value};
+use crate::program::words::{MOVES_TOOL, ignores_arguments, left_out as left_out_value};
 use crate::syntax::language::BY_TEXT;
 use crate::syntax::links::Link;
 use crate::syntax::tree::{Block, Expr, ExprId, Word, WordKind};
@@ -197,7 +199,8 @@ pub(super) fn word_of(run: &mut Interpreter, word: &Word, found: &mut Words) -> 
                 Some(number) => Cow::from(format!("{letters}{number}")),
                 None => Cow::from(&letters),
             };
-            if mode.is_none() && hidden(run, &variable, word.span) {
+            let name = *name;
+            if mode.is_none() && hidden(run, &variable, word.span) && !is_address(run, name, *value, &variable) {
                 let value = right_side(run, *value)?;
                 names::write(run, &variable, &value, word.span)?;
                 found.counter = value.number();
@@ -215,8 +218,10 @@ pub(super) fn word_of(run: &mut Interpreter, word: &Word, found: &mut Words) -> 
                 return Ok(true);
             }
             let key = names::key(run, *name, index)?;
-            let value = right_side(run, *value)?;
-            assign(run, &key, value, word.span, found)?;
+            match right_side(run, *value) {
+                Err(problem) if uncomputed::leaves(run, &problem, &key, *value)? => {}
+                value => assign(run, &key, value?, word.span, found)?,
+            }
         }
         WordKind::Declare { .. } => declare::declare(run, word, found.declaring)?,
         WordKind::Constant(value) => {
@@ -229,8 +234,15 @@ pub(super) fn word_of(run: &mut Interpreter, word: &Word, found: &mut Words) -> 
         }
         WordKind::Call { name, args, .. } => {
             let word_name = run.program.name(*name);
+            if diameters::take(run, &word_name, args, word.span)? {
+                return Ok(true);
+            }
             let own = run.programs.named(&word_name).is_some();
-            let args = if !own && ignores_arguments(&word_name) { &[] } else { &args[..] };
+            let args = if !own && ignores_arguments(&word_name) && uncomputed::find(&word_name).is_none() {
+                &[]
+            } else {
+                &args[..]
+            };
             found.calls.push(call(run, *name, args, word.span)?);
         }
         WordKind::Label(_) | WordKind::Header => {}
@@ -244,7 +256,8 @@ pub(super) fn word_of(run: &mut Interpreter, word: &Word, found: &mut Words) -> 
 
 /// The right side of an assignment, which may be a function that does something.
 fn right_side(run: &mut Interpreter, value: ExprId) -> Result<Datum, Problem> {
-    match of_control::assigned(run, value)?.or(tool_memory::assigned(run, value)?) {
+    let made = of_control::assigned(run, value)?.or(tool_memory::assigned(run, value)?);
+    match made.or(circle_data::assigned(run, value)?) {
         Some(made) => Ok(made),
         None => evaluate(run, value),
     }
@@ -255,6 +268,9 @@ fn left_alone(run: &mut Interpreter, name: &str, span: Span) -> bool {
     let Some(told) = left_out_value(name).filter(|_| !locals::declared(run, name)) else { return false };
     if told {
         noted::without(run, "run-passed", span, name);
+    }
+    if name == MOVES_TOOL {
+        unread::leave_all_axes(run, span);
     }
     true
 }
@@ -267,6 +283,23 @@ pub fn hidden(run: &mut Interpreter, name: &str, span: Span) -> bool {
         run.tell(Severity::Warning, &Problem::new("run-axis-variable", span, name));
     }
     variable
+}
+
+/// Whether a word is the address although a variable has its name: `M30` without `=` stays the function.
+fn is_address(run: &mut Interpreter, name: Span, value: ExprId, variable: &str) -> bool {
+    let between = Span { start: name.end, end: run.program.place(value).start };
+    let address = !run.program.text(between).contains(&b'=');
+    if address {
+        tell_letter(run, variable, name);
+    }
+    address
+}
+
+/// Tells, at its declaration, a variable that has the name of an address.
+pub fn tell_letter(run: &mut Interpreter, name: &str, place: Span) {
+    let home = locals::home(run, name);
+    let declared = locals::variable(run, &home).map_or(place, |variable| variable.place);
+    run.tell_once(own::BLOCK_LETTER_NAME.finding().text("word", name).on(declared));
 }
 
 /// A call with the values of its arguments.

@@ -5,7 +5,7 @@ use super::{
     Address, Call, Datum, Interpreter, Local, Locals, Modal, Next, Variable, Words, declare, declare::Declaring,
     expression, limits, locals, names, noted, repeat, repeat::Repetition,
 };
-use crate::control::{Frame, Plane, Units};
+use crate::control::{Frame, Plane, Transverse, Units};
 use crate::diagnostic::{Severity, Span};
 use crate::problem::Problem;
 use crate::syntax::language::{BY_PATH, CALL, FROM_OUTSIDE, MODAL};
@@ -60,6 +60,7 @@ pub struct Saved {
     plane: Plane,
     units: (Units, bool),
     frame: Frame,
+    transverse: Transverse,
 }
 
 /// Whether one more level fits.
@@ -79,6 +80,7 @@ fn save(run: &Interpreter) -> Saved {
         plane: control.plane,
         units: (control.active_units, control.data_follow),
         frame: control.program_frame,
+        transverse: control.transverse,
     }
 }
 
@@ -89,6 +91,7 @@ fn restore(run: &mut Interpreter, saved: Saved) {
     run.sim.with_length(|control| control.plane = saved.plane);
     (run.sim.control.active_units, run.sim.control.data_follow) = saved.units;
     run.sim.control.program_frame = saved.frame;
+    run.sim.control.transverse = saved.transverse;
 }
 
 /// The calls of a block that are carried out now.

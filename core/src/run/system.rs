@@ -1,6 +1,6 @@
 //! What the control tells about itself: `$P_…`, `$AA_…`, `$AC_…`.
 
-use super::{Datum, Interpreter, Motion, contour, indices, mode, names, of_machine, stem, tool_memory};
+use super::{Datum, Interpreter, Motion, contour, diameters, indices, mode, names, of_machine, stem, tool_memory};
 use crate::control::frames::{CHANNEL_MASK, GLOBAL_MASK, joined};
 use crate::control::{AXES, Frame, Tool, UnitFunction, Units, Value, machine_data, variables::component};
 use crate::diagnostic::Span;
@@ -207,7 +207,7 @@ fn group(run: &Interpreter, key: &str) -> Option<f64> {
         "8" => control.settable,
         "13" => UNITS.iter().position(|function| *function == control.unit_function())?,
         "14" => usize::from(!run.modal.absolute),
-        "29" => control.transverse as usize,
+        "29" => diameters::active(run),
         _ => return None,
     };
     Some(place as f64 + 1.0)

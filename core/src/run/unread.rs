@@ -1,7 +1,7 @@
 //! Words of a program that could not be read: told as reading tells them and named at the end. What they would have
 //! written is not known from then on, so that nothing is calculated or measured with an older value.
 
-use super::{Address, Interpreter, Words, macro_system, stem};
+use super::{Address, Interpreter, Words, diameters, macro_system, stem};
 use crate::catalogue::CYCLES;
 use crate::check;
 use crate::control::{AXES, gud, nct_data};
@@ -107,6 +107,9 @@ fn target(dialect: Dialect, text: &str) -> Option<String> {
     if let Some(code) = name.strip_prefix('G').and_then(leading) {
         return group(code).map(|_| format!("G{code}"));
     }
+    if name.starts_with(diameters::BEGIN) {
+        return Some(name.to_owned());
+    }
     let address = name.get(..1).filter(|letter| PLACES.contains(letter));
     if let Some(letter) = address.filter(|_| name.len() == 1 || index.is_none() && !rest.starts_with('=')) {
         let number = name.len() == 1 || name[1..].starts_with(|one: char| one.is_ascii_digit());
@@ -187,7 +190,7 @@ pub fn measures(run: &Interpreter, place: Span) -> Result<(), Problem> {
 
 /// Whether a name decides over every measurement: a place, the tool, data that no call hands over or leaves.
 fn of_machine(run: &Interpreter, name: &str) -> bool {
-    if name.strip_prefix('G').and_then(leading).is_some() {
+    if name.strip_prefix('G').and_then(leading).is_some() || name.starts_with(diameters::BEGIN) {
         return true;
     }
     if PLACES.contains(&name) {

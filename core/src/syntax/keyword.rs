@@ -66,10 +66,15 @@ pub(super) const ADDRESSES: &[&[u8]] = &[
     b"AP", b"RP", b"AR", b"CR", b"IR", b"JR", b"KR", b"SPOS", b"SPOSA", b"CHF", b"CHR", b"RND", b"RNDM", b"PW", b"SD",
     b"PL", b"ANG", b"TURN", b"DL", b"FRC", b"FRCM", b"FAD", b"FB", b"FD", b"SF", b"DISR", b"DISCL", b"CT",
 ];
-/// Words that stand with the name of an axis and nothing else: `FINEA[X]`, how a motion ends.
-pub(super) const OF_AXIS: &[&[u8]] = &[b"FINEA", b"COARSEA", b"IPOENDA", b"DRIVEA", b"IPOBRKA", b"ADISPOSA"];
+/// Words that stand with the name of an axis and nothing else: `FINEA[X]`, how a motion ends; `DIAMONA[X]`, how its
+/// positions are written (840D sl, Fundamentals, "Axis-specific diameter/radius programming").
+pub(super) const OF_AXIS: &[&[u8]] = &[
+    b"FINEA", b"COARSEA", b"IPOENDA", b"DRIVEA", b"IPOBRKA", b"ADISPOSA", b"DIAMONA", b"DIAM90A", b"DIAMOFA",
+    b"DIAMCHANA",
+];
 /// Kinds of dimension that stand around a value: `X=IC(5)`.
-pub(super) const MODES: &[&[u8]] = &[b"AC", b"IC", b"DC", b"ACP", b"ACN", b"CAC", b"CIC", b"CDC", b"CACP", b"CACN"];
+pub(super) const MODES: &[&[u8]] =
+    &[b"AC", b"IC", b"DC", b"ACP", b"ACN", b"CAC", b"CIC", b"CDC", b"CACP", b"CACN", b"DAC", b"DIC", b"RAC", b"RIC"];
 
 /// Whether a name is one of these, without regard to case.
 pub(super) fn is_one_of(name: &[u8], list: &[&[u8]]) -> bool {

@@ -1,8 +1,9 @@
 //! Lines, arcs, feeds, measuring blocks.
 
 use super::running::{block, go_on};
-use super::{at, clean, fault, feed, findings, go, near, number, setup};
+use super::{at, clean, end, fault, feed, findings, go, near, number, setup};
 use probewright_core::geometry::Mcs;
+use probewright_core::json::setup_from_json;
 use probewright_core::machine::Stop;
 use probewright_core::machine::route::Route;
 use probewright_core::machine::trace::{MotionKind, Step};
@@ -188,4 +189,102 @@ fn a_table_that_turns_the_part_into_the_probe_crashes() {
     let place = outcome.diagnostics[0].span.unwrap();
     assert_eq!((place.start, place.end), (8, 11));
     assert_eq!(run("G0 Z20\nC90").stop, None);
+}
+
+// oracle: hand: the axis by itself comes before the channel until it is told to follow that; DIAMCYCOF is of the channel
+#[test]
+fn the_transverse_axis_has_a_mode_of_its_own() {
+    for (text, x) in [
+        ("DIAMONA[X]\nG0 X20\nX=IC(4)", 12.0),
+        ("DIAM90A[X]\nG0 X20\nX=IC(4)", 14.0),
+        ("DIAMON\nDIAMOFA[X] G0 X20", 20.0),
+        ("DIAMON\nDIAMOFA[X]\nDIAMON\nG0 X20", 20.0),
+        ("DIAMONA[X]\nDIAMOF\nG0 X20", 10.0),
+        ("DIAMONA[X]\nDIAMOF\nDIAMCHANA[X]\nG0 X20", 20.0),
+        ("DIAMOFA[X]\nDIAMON\nDIAMCHAN\nG0 X20", 10.0),
+        ("DIAMON\nDIAMCHAN\nG0 X20", 10.0),
+        ("DIAMON\nDIAMCYCOF\nG0 X20", 20.0),
+        ("DIAMON\nDIAMCYCOF\nDIAM90\nG0 X20", 10.0),
+        ("DIAMONA[X]\nDIAMCYCOF\nG0 X20", 10.0),
+        ("DEF AXIS WAY=(X)\nDIAMONA[WAY]\nG0 X20", 10.0),
+        ("G[29]=2\nG0 X20", 10.0),
+        ("G[29]=4\nG0 X20", 20.0),
+        ("DIAMOFA[Y] DIAMOFA[U]\nG0 X20", 20.0),
+        ("UP\nG0 X20\nM30\n%_N_UP_SPF\nPROC UP SAVE\nDIAMONA[X]\nM17", 20.0),
+        ("DIAMONA[X]\nUP\nG0 X20\nM30\n%_N_UP_SPF\nPROC UP SAVE\nDIAMCHAN\nM17", 10.0),
+    ] {
+        at(text, [x, 0.0, 0.0]);
+    }
+    for (text, shown) in [
+        ("DIAMONA[X]\nG0 X20\nR1=$AA_IW[X]", 20.0),
+        ("G0 X20\nDIAMONA[X]\nR1=$P_EP[X]", 40.0),
+        ("R1=$P_GG[29]", 1.0),
+        ("DIAM90\nDIAMOFA[X]\nR1=$P_GG[29]", 3.0),
+        ("DIAMONA[X]\nR1=$P_GG[29]", 1.0),
+        ("DIAMON\nDIAMCYCOF\nR1=$P_GG[29]", 4.0),
+        ("DIAMCYCOF\nDIAMON\nR1=$P_GG[29]", 2.0),
+    ] {
+        near(number(text, "R1"), shown, text);
+    }
+    assert_eq!(fault("DIAMONA[X,Z]"), "run-function");
+}
+
+// oracle: hand: a diameter or a radius in one block, whatever is active; the next block is written as before
+#[test]
+fn a_dimension_is_a_diameter_or_a_radius_in_its_block_alone() {
+    for (text, x) in [
+        ("G0 X=DAC(20)", 10.0),
+        ("G0 X20\nX=DIC(4)", 22.0),
+        ("G0 X=DAC(20)\nX=IC(3)", 13.0),
+        ("DIAMON\nG0 X=RAC(20)", 20.0),
+        ("DIAMON\nG0 X20\nX=RIC(4)", 14.0),
+        ("DIAMON\nG0 X=RAC(20)\nX8", 4.0),
+        ("G91\nG0 X5\nX=DAC(20)", 10.0),
+        ("DIAM90\nG0 X20\nX=DIC(4)", 12.0),
+        ("G18 G1 F100 DIAMON\nX=RAC(10) Z0\nG2 X=RAC(20) Z-10 CR=10", 20.0),
+    ] {
+        near(end(text)[0], x, text);
+    }
+    let moved = go("G0 POS[X]=DAC(20)");
+    assert_eq!((moved.stop.is_none(), moved.position.0[0]), (true, 10.0));
+    for text in ["Z=DAC(5)", "Y=RIC(5)", "C=DAC(5)", "U=RAC(5)", "I=DAC(5)"] {
+        assert_eq!(fault(text), "run-not-simulated", "{text}");
+    }
+}
+
+/// A part of diameter 60.24 mm in a lathe with a calibrated probe.
+const TURNED: &str = r#"{
+    "control": "sinumerik", "plane": "G18", "active": { "tool": 8, "edge": 1, "frame": "G54" },
+    "tools": {
+        "8": { "edges": { "1": { "type": 580, "tip": 7, "length": [40, 100, 0], "radius": 3 } } },
+        "7": { "edges": { "1": { "type": 500, "tip": 3, "length": [60, 40, 0], "radius": 0.8 } } }
+    },
+    "frames": { "G54": { "coarse": [0, 0, 200] } }, "data": { "MD18600": 1 },
+    "probe": { "radius": 3, "length": 0 }, "position": [200, 0, 400],
+    "workpiece": [{ "shape": "turned", "size": [60.24, 60, 0, 0], "at": [0, 0, 260] }]
+}"#;
+
+// oracle: manual B:10975 (diameters with DIAMON, else radii), hand: whichever word says so; the part is 0.24 mm too large
+#[test]
+fn a_cycle_measures_with_what_counts_for_the_transverse_axis() {
+    let setup = setup_from_json(TURNED).unwrap();
+    for (mode, per) in [
+        ("DIAMON", 2.0),
+        ("DIAMOF\nDIAMONA[X]", 2.0),
+        ("DIAMOFA[X]\nDIAMON\nDIAMCHAN", 2.0),
+        ("DIAMONA[X]\nDIAMCYCOF", 2.0),
+        ("DIAMOF", 1.0),
+        ("DIAMON\nDIAMOFA[X]", 1.0),
+        ("DIAMON\nDIAMCYCOF", 1.0),
+    ] {
+        let text = format!(
+            "G18 G54 T8 D1 G90\n{mode}\nG0 Z30 X=DAC(80)\n_MVAR=0 _MA=2 _TNUM=7 _KNUM=1 _TUL=0.5 _TLL=-0.5 _TMV=0.01 \
+             _TDIF=1 _TZL=0 _TSA=1 _K=1 _VMS=0 _NMSP=1 _FA=3 _PRNUM=1 _EVNUM=0 _SETVAL={}\nCYCLE974\nM30",
+            30.0 * per
+        );
+        let outcome = go_on(&setup, &text);
+        assert_eq!(outcome.stop, None, "{mode}");
+        near(outcome.control.number("_OVR[4]"), 30.12 * per, mode);
+        near(outcome.control.number("_OVR[16]"), 0.12 * per, mode);
+    }
 }

@@ -1,6 +1,7 @@
 //! Variables of all types, conversions, operators and functions.
 
 use super::{clean, fault, findings, go, messages, near, number};
+use probewright_core::diagnostic::Code;
 use probewright_core::machine::Stop;
 
 // oracle: manual (Job planning 03/2006, 1.9: conversions at an assignment; the types of the user data: B:1758 …)
@@ -262,4 +263,78 @@ fn a_function_is_selected_by_its_group() {
         assert_eq!(run(selected), run(written), "{selected}");
     }
     assert_eq!(findings("G[99]=1"), ["run-passed"]);
+}
+
+// oracle: hand: a letter with a number and no `=` is the address, whatever a program declared; the declaration is told
+#[test]
+fn a_variable_with_the_name_of_an_address_hides_no_function() {
+    for (text, told) in [
+        ("DEF REAL M[3]\nM[1]=2\nG0 X5\nM30\nG0 X7", "M"),
+        ("DEF REAL M\nM=2\nG0 X5\nM30\nG0 X7", "M"),
+        ("DEF INT F=1\nF=F+1\nG1 F100 X5", "F"),
+        ("DEF INT G\nG=90\nF100\nG1\nX5", "G"),
+    ] {
+        let outcome = go(text);
+        let told_of: Vec<_> =
+            outcome.diagnostics.iter().map(|found| (found.code, found.message.word("word"))).collect();
+        assert_eq!(told_of, [(Code::Own(244), Some(told))], "{text}");
+        let place = outcome.diagnostics[0].span.unwrap();
+        assert_eq!(place.start as usize, text.find(&format!(" {told}")).unwrap() + 1, "{text}");
+        assert_eq!((outcome.stop, outcome.position.0[0]), (None, 5.0), "{text}");
+    }
+}
+
+// oracle: hand: what is known and does not take these values, what is known and not computed, what nobody knows
+#[test]
+fn a_function_is_told_for_what_it_is() {
+    for (text, key) in [
+        ("R1=REPLACE(\"a\",\"b\",\"c\")", "run-unknown-word"),
+        ("R1=FOO(X)", "run-unknown-word"),
+        ("R1=FOO(1)", "run-unknown-word"),
+        ("R1=SIN(1,2)", "run-function"),
+        ("R1=SIN(X)", "run-function"),
+        ("R1=STRLEN(5)", "run-function"),
+        ("R1=CALCDAT(1)", "run-function"),
+        ("R1=MODAXVAL(X,5)", "run-function"),
+        ("G0 X=INTERSEC(1,2,3)", "run-not-simulated"),
+        ("IF AXTOINT(Y)==2 GOTOF OUT\nOUT: M30", "run-not-simulated"),
+        ("R1=INTERSEC(1,2,3)\nR2=R1", "run-unread-value"),
+        ("R1=AXTOINT(Y)\nIF R1==2\nENDIF", "run-unread-value"),
+        ("DEF REAL PAIR[2]\nR1=INTERSEC(1,2,PAIR)\nR2=PAIR[0]", "run-unread-value"),
+        ("DEF REAL PAIR[2]\nINTERSEC(1,2,PAIR)\nR2=PAIR[1]", "run-unread-value"),
+    ] {
+        assert_eq!(fault(text), key, "{text}");
+    }
+    let text = "R1=INTERSEC(1,2,3)\nR2=GETTCOR(_OVR)\nR1=7\nR3=R1";
+    assert_eq!(findings(text), ["run-passed"]);
+    assert_eq!(go(text).control.number("R3"), 7.0);
+}
+
+// oracle: hand: the remainder within a turn; 180° of MD 30330 from -90° on as the setup says
+#[test]
+fn a_position_is_brought_into_its_modulo_range() {
+    for (text, expected) in [
+        ("R1=MODAXVAL(B,370)", 10.0),
+        ("R1=MODAXVAL(C,-10)", 350.0),
+        ("R1=MODAXVAL(A,360)", 0.0),
+        ("R1=MODAXVAL(B,725.5)", 5.5),
+        ("$MA_MODULO_RANGE[B]=180 $MA_MODULO_RANGE_START[B]=-90\nR1=MODAXVAL(B,100)", -80.0),
+    ] {
+        near(number(text, "R1"), expected, text);
+    }
+}
+
+// oracle: hand: 3-4-5 about (1,2); the centre of four points at the corners of a rectangle; three points in a line
+#[test]
+fn a_circle_goes_through_the_points_of_an_array() {
+    let text = "DEF REAL PTS[4,2]=SET(6,2,1,7,-4,2,1,-3), RES[3]\nDEF BOOL OK\nOK=CALCDAT(PTS,3,RES)\n\
+        R1=OK R2=RES[0] R3=RES[1] R4=RES[2]\nPTS[0,0]=SET(8,6,-6,6,-6,-6,8,-6)\nR5=CALCDAT(PTS,4,RES)\n\
+        R6=RES[0] R7=RES[1] R8=RES[2]\nPTS[0,0]=SET(0,0,1,1,2,2)\nR9=CALCDAT(PTS,3,RES)\nR10=RES[0]";
+    let outcome = clean(text);
+    for (at, expected) in [1.0, 1.0, 2.0, 5.0, 1.0, 1.0, 0.0, 85.0_f64.sqrt(), 0.0, 1.0].into_iter().enumerate() {
+        near(outcome.control.number(&format!("R{}", at + 1)), expected, &format!("R{}", at + 1));
+    }
+    for text in ["R1=CALCDAT(PTS,2,RES)", "R1=CALCDAT(PTS,4,RES)", "R1=CALCDAT(PTS,3,5)", "R1=CALCDAT(PTS,3)"] {
+        assert_eq!(fault(&format!("DEF REAL PTS[3,2],RES[3]\n{text}")), "run-function", "{text}");
+    }
 }

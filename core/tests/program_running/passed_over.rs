@@ -45,9 +45,28 @@ fn measured(lines: &str) -> Outcome {
 fn no_call_measures_with_a_value_that_could_not_be_read() {
     assert_eq!(measured("").stop, None);
     for lines in [
-        "_FA=1e-9", "_FA=2,5", "_TSA=1e0", "_FA = (2", "R1=1e1\n_FA=R1", "R [1]=1e1\n_FA=2+R[1]",
-        "DEF REAL LEN=1e1\n_FA=LEN", "_CHBIT[10]=1e0", "X1e1", "G1 F100 Z1,5", "D1,5", "X0+5", "_FA=20%",
-        "G54\u{a0}G18", "G91.5.5", "_MA=3\u{2212}1",
+        "_FA=1e-9",
+        "_FA=2,5",
+        "_TSA=1e0",
+        "_FA = (2",
+        "R1=1e1\n_FA=R1",
+        "R [1]=1e1\n_FA=2+R[1]",
+        "DEF REAL LEN=1e1\n_FA=LEN",
+        "_CHBIT[10]=1e0",
+        "X1e1",
+        "G1 F100 Z1,5",
+        "D1,5",
+        "X0+5",
+        "_FA=20%",
+        "G54\u{a0}G18",
+        "G91.5.5",
+        "_MA=3\u{2212}1",
+        "DIAMONA[X",
+        "DIAMONB[X]\nX0",
+        "DIAMONA[Y]\nY0 X0",
+        "DIAMON\nDIAMCHANA[Y]\nX0",
+        "DIAMONA[Y]\nDIAMON\nDIAMCHAN\nX0",
+        "DIAMONA[X\nDIAMOF\nX0",
     ] {
         let outcome = measured(lines);
         assert_eq!(stop(&outcome), Some("run-unread-value"), "{lines}");
@@ -56,7 +75,8 @@ fn no_call_measures_with_a_value_that_could_not_be_read() {
     }
     for lines in [
         "_FA=1e-9\n_FA=20", "_SZA=1e0", "R1=1e1", "X1e1\nX0 D1", "R1=1e1\nR[1]=2\n_FA=R1", "F1e3", "G17,5\nG17",
-        "G54\u{200b}\nG54",
+        "G54\u{200b}\nG54", "DIAMONA[X\nDIAMOFA[X]", "DIAMONA[X\nDIAMCHAN", "DIAMONA[Y]\nDIAMOFA[Y]",
+        "DIAMONA[Y]\nDIAMCHAN", "DIAMONA[U]",
     ] {
         let outcome = measured(lines);
         assert_eq!(outcome.stop, None, "{lines} {:?}", outcome.diagnostics);

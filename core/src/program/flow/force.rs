@@ -1,7 +1,8 @@
 //! What the words of a block activate.
 
 use super::state::{Mode, State, Tool};
-use crate::program::words::{Setting, setting};
+use crate::control::Transverse;
+use crate::program::words::{Setting, of_axis, setting};
 use crate::syntax::fold::Known;
 use crate::syntax::{Expr, ExprId, Program, Word, WordKind, fold};
 
@@ -71,11 +72,26 @@ impl<'a> Forces<'a> {
                 }
             }
             WordKind::Assign { name, .. } if self.program.is(*name, "SPOS") => state.turning = Mode::Is(false),
-            WordKind::Call { name, .. } => {
-                if let Some(Setting::Transverse(transverse)) = setting(&self.program.name(*name)) {
-                    state.transverse = Mode::Is(transverse);
-                }
+            WordKind::Call { name, args } => self.diameters(state, &self.program.name(*name), args),
+            _ => {}
+        }
+    }
+
+    /// What a word says of the transverse axis: for the channel, or for X alone.
+    fn diameters(&self, state: &mut State, name: &str, args: &[ExprId]) {
+        if let Some(own) = of_axis(name) {
+            let of_x = matches!(args, [axis] if self.program.is(self.program.place(*axis), "X"));
+            match own {
+                _ if !of_x => {}
+                Some(own) => state.of_x(own),
+                None => state.as_channel(),
             }
+            return;
+        }
+        match setting(name) {
+            Some(Setting::Transverse(transverse)) => state.of_channel(transverse),
+            Some(Setting::RadiiInCycles) => state.of_channel(Transverse::Radius),
+            Some(Setting::AsChannel) => state.as_channel(),
             _ => {}
         }
     }

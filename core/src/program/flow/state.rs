@@ -66,8 +66,10 @@ pub struct State {
     pub compensation: Mode<Compensation>,
     /// G500, G54 to G57, G505 to G599.
     pub frame: Mode<u16>,
-    /// DIAMON, DIAMOF, DIAM90.
+    /// DIAMON, DIAMOF, DIAM90, as they count for X.
     pub transverse: Mode<Transverse>,
+    /// What the channel has of these while X has its own (`DIAMONA[X]`).
+    pub channel: Option<Mode<Transverse>>,
     /// G70, G71, G700 or G710.
     pub units: Mode<u16>,
     /// M3 or M4 (true), or a stop or positioning since.
@@ -90,6 +92,7 @@ impl State {
             compensation: Mode::Open,
             frame: Mode::Open,
             transverse: Mode::Open,
+            channel: None,
             units: Mode::Open,
             turning: Mode::Open,
             tool: Mode::Open,
@@ -101,8 +104,26 @@ impl State {
 
     /// The functions of the caller again (`SAVE`).
     pub fn restore(&mut self, caller: &State) {
-        let State { plane, compensation, frame, transverse, units, .. } = caller.clone();
-        *self = State { plane, compensation, frame, transverse, units, ..std::mem::take(self) };
+        let State { plane, compensation, frame, transverse, channel, units, .. } = caller.clone();
+        *self = State { plane, compensation, frame, transverse, channel, units, ..std::mem::take(self) };
+    }
+
+    /// DIAMON and its like count for X unless that has its own.
+    pub fn of_channel(&mut self, transverse: Transverse) {
+        *self.channel.as_mut().unwrap_or(&mut self.transverse) = Mode::Is(transverse);
+    }
+
+    /// `DIAMONA[X]` and its like.
+    pub fn of_x(&mut self, own: Transverse) {
+        let before = std::mem::replace(&mut self.transverse, Mode::Is(own));
+        self.channel.get_or_insert(before);
+    }
+
+    /// DIAMCHAN, `DIAMCHANA[X]`.
+    pub fn as_channel(&mut self) {
+        if let Some(channel) = self.channel.take() {
+            self.transverse = channel;
+        }
     }
 
     /// T: the tool is in use at once, or M6 brings it.
@@ -166,11 +187,13 @@ impl State {
 
 impl Meet for State {
     fn meet(&self, other: &State) -> State {
+        let alike = self.channel == other.channel;
         State {
             plane: self.plane.meet(&other.plane),
             compensation: self.compensation.meet(&other.compensation),
             frame: self.frame.meet(&other.frame),
-            transverse: self.transverse.meet(&other.transverse),
+            transverse: if alike { self.transverse.meet(&other.transverse) } else { Mode::Open },
+            channel: if alike { self.channel.clone() } else { Some(Mode::Open) },
             units: self.units.meet(&other.units),
             turning: self.turning.meet(&other.turning),
             tool: self.tool.meet(&other.tool),
