@@ -56,7 +56,8 @@ describe("the control", () => {
     await context.close();
   });
 
-  // oracle: hand (132 mm are 5.1969 inch; a part that lies off 0.084 mm and 0.046 mm, in a zero offset that with G70 stays in mm)
+  // oracle: hand (132 mm are 5.1969 inch; a part that lies off 0.084 mm and 0.046 mm, in a zero offset that with G70
+  // stays in mm)
   test("and its units leave a first part off, and of its size", async () => {
     for (const [name, wanted] of [
       ["NCT", /X.\+0\.084/],

@@ -171,8 +171,8 @@ fn replaced(
 }
 
 /// The parameters that the variant which this value chooses does not know: none of the cycle's own that it asks for on
-/// no machine, and none that the call uses now and would not use then; and those whose values do not fit it. A list of a
-/// newer control has its arguments in every variant: they stay.
+/// no machine, and none that the call uses now and would not use then; and those whose values do not fit it. A list of
+/// a newer control has its arguments in every variant: they stay.
 fn idle(site: &CallSite, (name, value): (&str, &str), control: &Control, unfit: Unfit) -> Vec<Name> {
     let cycle = site.cycle;
     if cycle.variant_param().is_none_or(|own| own != name) {

@@ -12,7 +12,8 @@ pub struct Rules {
     pub motion: Motion,
     /// Carries out a G function that the other language does not have; false: there is none.
     pub function: fn(&mut Interpreter, u16, &mut Words) -> bool,
-    /// Passes over a G function that only the other language does not have either, and tells that; false: there is none.
+    /// Passes over a G function that only the other language does not have either, and tells that; false: there is
+    /// none.
     pub unsimulated: fn(&mut Interpreter, f64, Span) -> bool,
     /// What is done instead of a G function that is not simulated.
     pub instead: fn(f64) -> Option<Instead>,

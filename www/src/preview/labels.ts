@@ -108,8 +108,8 @@ function placed(
 }
 
 /**
- * The letters of the axes, not of a system that has been moved since; of systems that nearly lie in one another a letter
- * is written once.
+ * The letters of the axes, not of a system that has been moved since; of systems that nearly lie in one another a
+ * letter is written once.
  */
 function letters({ frames, axis }: SceneView, colours: Colours): Label[] {
   const axes = [

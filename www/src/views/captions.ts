@@ -1,6 +1,6 @@
-// Where the captions of a drawing stand: each as near to its figure as it can without lying upon a touch point or, where
-// there is a way around, upon a line; and never upon another caption. What stands far from its figure has a leader line.
-// All in CSS pixels, y down.
+// Where the captions of a drawing stand: each as near to its figure as it can without lying upon a touch point or,
+// where there is a way around, upon a line; and never upon another caption. What stands far from its figure has a
+// leader line. All in CSS pixels, y down.
 
 export type Point = [number, number];
 export interface Size {
