@@ -40,9 +40,9 @@ const VALUES_WITHOUT_EFFECT: &[&str] = &[
 ];
 
 /// Names with a value that do something which is not simulated: tool carriers, actions, oscillation, travel to a fixed
-/// stop, measuring of one axis, grinding wheels, positions of joints, orientations, couplings, sets of parameters of the
-/// drives, addresses of the machine's maker (840D sl, Job planning and Fundamentals, lists of statements); the axes go on
-/// without it.
+/// stop, measuring of one axis, grinding wheels, positions of joints, orientations, couplings, sets of parameters of
+/// the drives, addresses of the machine's maker (840D sl, Job planning and Fundamentals, lists of statements); the axes
+/// go on without it.
 const VALUES_TOLD: &[&str] = &[
     "TCARR", "ID", "IDS", "FXS", "FXST", "FXSW", "OS", "OST1", "OST2", "OSP1", "OSP2", "OST", "OSCTRL", "OSNSC", "OSE",
     "OSB", "MEASA", "MEAWA", "MEAC", "POSP", "STAT", "TU", "SUG", "ST", "TOFF", "TOFFL", "TOFFR", "CUTMOD", "LEAD",

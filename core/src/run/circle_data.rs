@@ -1,5 +1,5 @@
-//! `OK=CALCDAT(POINTS,3,RESULT)`: the circle through three points, or as near as possible to four, as CYCLE116 computes it
-//! (840D sl, Job planning, "Calculate circle data").
+//! `OK=CALCDAT(POINTS,3,RESULT)`: the circle through three points, or as near as possible to four, as CYCLE116 computes
+//! it (840D sl, Job planning, "Calculate circle data").
 
 use super::{Datum, Interpreter, evaluate, names};
 use crate::geometry::fit;

@@ -32,8 +32,8 @@ pub fn of_cycles(run: &mut Interpreter) {
     run.modal.diameters.cycles = true;
 }
 
-/// `DIAMCHAN`: X is written as the channel says; where that says diameters, so may other axes be, which only the machine
-/// knows.
+/// `DIAMCHAN`: X is written as the channel says; where that says diameters, so may other axes be, which only the
+/// machine knows.
 pub fn as_channel(run: &mut Interpreter) {
     follow(run);
     if run.sim.control.transverse == Transverse::Radius {

@@ -191,7 +191,7 @@ fn a_table_that_turns_the_part_into_the_probe_crashes() {
     assert_eq!(run("G0 Z20\nC90").stop, None);
 }
 
-// oracle: hand: the axis by itself comes before the channel until it is told to follow that; DIAMCYCOF is of the channel
+// oracle: hand: the axis by itself comes before the channel until it follows that; DIAMCYCOF is of the channel
 #[test]
 fn the_transverse_axis_has_a_mode_of_its_own() {
     for (text, x) in [
@@ -264,7 +264,7 @@ const TURNED: &str = r#"{
     "workpiece": [{ "shape": "turned", "size": [60.24, 60, 0, 0], "at": [0, 0, 260] }]
 }"#;
 
-// oracle: manual B:10975 (diameters with DIAMON, else radii), hand: whichever word says so; the part is 0.24 mm too large
+// oracle: manual B:10975 (diameters with DIAMON, else radii), hand: whichever word says so; the part is 0.24 mm large
 #[test]
 fn a_cycle_measures_with_what_counts_for_the_transverse_axis() {
     let setup = setup_from_json(TURNED).unwrap();
