@@ -73,8 +73,8 @@ pub enum Instead {
 }
 
 /// SINUMERIK: G25 and G26 limits, G33 to G35, G63, G331, G332, G335, G336 threads, G74, G75 and G751 (by way of a
-/// point) reference and fixed points, G147 to G348 smooth approach and retraction; G5 oblique plunge-cut grinding, G7 its
-/// compensating motion; G810 to G829 of the machine's maker (840D sl, Fundamentals, groups of G functions).
+/// point) reference and fixed points, G147 to G348 smooth approach and retraction; G5 oblique plunge-cut grinding, G7
+/// its compensating motion; G810 to G829 of the machine's maker (840D sl, Fundamentals, groups of G functions).
 pub fn instead(number: f64) -> Option<Instead> {
     if number.fract() != 0.0 {
         return None;
