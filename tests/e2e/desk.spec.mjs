@@ -109,7 +109,7 @@ describe("a state", () => {
     const lines = [{ line: 1, before: "_SETVAL=40", after: "_SETVAL=41" }];
     const steps = [[{ from: 8, to: 10, insert: "41" }]];
     const values = [{ line: 4, cycle: "CYCLE977", param: "_SETVAL", key: "", before: "40", after: "41" }];
-    const answer = { steps, elsewhere: lines, findings: [], taken: [], values, reaches: true };
+    const answer = { steps, elsewhere: lines, findings: [], taken: [], unfit: [], values, reaches: true };
     const next = desk.next(read({ desk: { pending: [typed(0, "41")] } }), () => [answer]);
     assert.deepEqual(next.desk.pending, [{ ...typed(0, "41"), asks: { text: TEXT, steps, lines, values } }]);
     assert.equal(state.programOf(next), TEXT);
@@ -126,7 +126,7 @@ describe("a state", () => {
   test("asks at the field first where an expression would go, then about the rest", () => {
     const replaced = { text: "R2", worth: "40", variables: [] };
     const steps = [[{ from: 8, to: 10, insert: "41" }]];
-    const answer = { steps, elsewhere: [], findings: [], taken: [], values: [], replaced, reaches: true };
+    const answer = { steps, elsewhere: [], findings: [], taken: [], unfit: [], values: [], replaced, reaches: true };
     const next = desk.next(read({ desk: { pending: [typed(0, "41")] } }), () => [answer]);
     assert.deepEqual(next.desk.pending[0].asks.replaced, replaced);
     assert.equal(typing.typedShown(next), next, "nothing to be shown yet");

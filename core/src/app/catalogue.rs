@@ -318,6 +318,6 @@ mod tests {
                 lengths += values.inch.len();
             }
         }
-        assert!(lengths > 300, "{lengths} lengths");
+        assert!(lengths > 300, "{lengths}");
     }
 }

@@ -90,6 +90,6 @@ mod tests {
                 gone += done.unfit.len();
             }
         }
-        assert!(gone > 20, "{gone} values did not fit");
+        assert!(gone > 20, "{gone}");
     }
 }

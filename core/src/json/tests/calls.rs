@@ -146,7 +146,9 @@ fn a_change_tells_what_it_does_elsewhere_and_what_leaves_the_call() {
     assert_eq!(changed["steps"].as_array().unwrap().len(), 1);
     let own = ask("_MVAR=1 _KNUM=1 _SETVAL=40 _TZL=0.1\nCYCLE977\n", "_MVAR", "101");
     assert_eq!(own["elsewhere"], json!([]));
-    assert_eq!(own["taken"], json!(["_TZL"]));
+    assert_eq!(own["taken"], json!(["_KNUM", "_TZL"]));
+    let unfit = json!([{ "name": "_KNUM", "value": "1", "before": "param-knum-tool" }]);
+    assert_eq!(own["unfit"], unfit);
     assert_eq!(own["steps"].as_array().unwrap().len(), 2);
 }
 
