@@ -144,6 +144,7 @@ fn revised(cycle: &CycleInfo, text: &str, name: &str, value: &str) -> (String, C
         call: 0,
         name,
         value,
+        along: None,
         setup: None,
         with: None,
     };

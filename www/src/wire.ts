@@ -551,6 +551,8 @@ export type ChangeRequest = {
   name: string,
   /** New value, as typed; empty: the parameter is removed. */
   value: string,
+  /** Parameters that are typed along with it: where it chooses another variant, their values are meant for that. */
+  along?: Array<string>,
   /** Machine on which the program starts; absent: the core's own as it is. */
   setup?: Machine,
   /** Files beside it, of which definition files count; absent: none. */

@@ -35,6 +35,8 @@ pub struct ChangeRequest {
     pub name: String,
     /// New value, as typed; empty: the parameter is removed.
     pub value: String,
+    /// Parameters that are typed along with it: where it chooses another variant, their values are meant for that.
+    pub along: Option<Vec<String>>,
     /// Machine on which the program starts; absent: the core's own as it is.
     pub setup: Option<Machine>,
     /// Files beside it, of which definition files count; absent: none.
@@ -194,7 +196,7 @@ pub struct CuredAll {
 /// let text = "_MVAR=1 _SETVAL=132 ; bore\nCYCLE977\nM30\n".into();
 /// let (name, value) = ("_SETVAL".to_owned(), "40".to_owned());
 /// let control = Dialect::Sinumerik;
-/// let done = change(ChangeRequest { control, text, call: 0, name, value, setup: None, with: None })?;
+/// let done = change(ChangeRequest { control, text, call: 0, name, value, along: None, setup: None, with: None })?;
 /// let edit = &done.steps[0][0];
 /// assert_eq!((edit.from, edit.to, edit.insert.as_str()), (16, 19, "40")); // nothing else changes
 /// # Ok::<(), probewright_core::app::Error>(())
@@ -206,9 +208,11 @@ pub fn change(asked: ChangeRequest) -> Result<Changed, Error> {
     let whole = Whole::defined(asked.control, asked.text, asked.with);
     let control = start(asked.control, asked.setup)?.setup.control;
     let mut program = syntax::read_held(asked.control, whole.text(), &control.definitions.macros, &mut |_| {});
+    let along = asked.along.unwrap_or_default();
     let misfits = RefCell::default();
     let unfit = |cycle: &'static Cycle, [before, after]: [&Typed; 2], control: &Control| {
-        let found = form::unfit(cycle, before, after, control);
+        let mut found = form::unfit(cycle, before, after, control);
+        found.retain(|one| !along.iter().any(|name| one.name == name.as_str()));
         let names = found.iter().map(|one| one.name).collect();
         misfits.replace(found);
         names

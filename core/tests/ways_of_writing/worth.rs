@@ -139,6 +139,7 @@ fn a_change_tells_which_expression_it_takes_away() {
             call: 0,
             name,
             value,
+            along: None,
             setup: None,
             with: None,
         })

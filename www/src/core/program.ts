@@ -198,9 +198,11 @@ function changes(
 ): Changed[] {
   const now = held ? held.copy() : hold(text.length);
   if (!held) now.push(new TextEncoder().encode(text));
-  const answers = asked(pending, { control, text, at }).map(one => {
+  const all = asked(pending, { control, text, at });
+  const answers = all.map(one => {
     const { name, value } = one;
-    const asked = { control, text: HELD, call: index, name, value, setup, with: beside };
+    const along = all.filter(other => other !== one).map(other => other.name);
+    const asked = { control, text: HELD, call: index, name, value, along, setup, with: beside };
     const changed = JSON.parse(call("change", () => now.ask("change", JSON.stringify(asked)))) as Changed;
     if (!hasToReplace(one, changed)) for (const step of changed.steps) edit(now, step);
     return changed;
