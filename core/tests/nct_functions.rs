@@ -2,24 +2,17 @@
 //! neither in a run nor in what check says.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use probewright_core::control::Plane;
+#[path = "running/nct_block.rs"]
+mod nct_block;
+
+use nct_block::over_a_block;
 use probewright_core::diagnostic::{Code, Severity};
 use probewright_core::dialect::Dialect;
-use probewright_core::geometry::{Mcs, Wcs};
-use probewright_core::machine::{Setup, Stop};
+use probewright_core::geometry::Mcs;
+use probewright_core::machine::Stop;
 use probewright_core::program::findings;
 use probewright_core::run::{Limits, Outcome, run};
 use probewright_core::syntax::read;
-use probewright_core::workpiece::{Shape, Solid};
-
-/// A block of 60 x 60 x 20, its upper face at 0, the ball 20 mm above its middle.
-fn over_a_block() -> Setup {
-    let mut setup = Setup::calibrated(Dialect::Nct, Plane::G17);
-    let size = [60.0, 60.0, 20.0];
-    setup.workpiece.solids.push(Solid::new(Shape::Block { size }, setup.control.to_machine(Wcs([0.0; 3]))));
-    setup.position = setup.control.to_machine(Wcs([0.0, 0.0, 20.0]));
-    setup
-}
 
 fn go(text: &str) -> Outcome {
     run(&read(Dialect::Nct, text.as_bytes()), &over_a_block(), Limits::default())

@@ -1,10 +1,14 @@
 //! The macro language of NCT: variables, expressions, jumps and loops, calls of programs with and without arguments.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+#[path = "running/nct_block.rs"]
+mod nct_block;
+
+use nct_block::over_a_block;
 use probewright_core::control::Plane;
 use probewright_core::diagnostic::Severity;
 use probewright_core::dialect::Dialect;
-use probewright_core::geometry::{Mcs, Wcs};
+use probewright_core::geometry::Mcs;
 use probewright_core::machine::trace::Step;
 use probewright_core::machine::{Setup, Stop};
 use probewright_core::message::Message;
@@ -12,7 +16,6 @@ use probewright_core::program::calls::calls;
 use probewright_core::run::{Limits, Outcome, run};
 use probewright_core::syntax::position::Positions;
 use probewright_core::syntax::read;
-use probewright_core::workpiece::{Shape, Solid};
 
 fn go(text: &str) -> Outcome {
     let program = read(Dialect::Nct, text.as_bytes());
@@ -305,15 +308,6 @@ fn the_control_tells_where_it_stands() {
     }
     let inch = number(&format!("{moved}G20\n#600=#5001*25.4"), "#600");
     assert!((inch - 12.0).abs() < 1e-9);
-}
-
-/// A block whose upper face lies at 0, 20 mm below the ball.
-fn over_a_block() -> Setup {
-    let mut setup = Setup::calibrated(Dialect::Nct, Plane::G17);
-    let size = [60.0, 60.0, 20.0];
-    setup.workpiece.solids.push(Solid::new(Shape::Block { size }, setup.control.to_machine(Wcs([0.0; 3]))));
-    setup.position = setup.control.to_machine(Wcs([0.0, 0.0, 20.0]));
-    setup
 }
 
 // oracle: programmer's manual N 183: the tip in the work offset at the signal, with the length taken into account; the

@@ -137,18 +137,8 @@ fn a_call_that_becomes_another_variant_keeps_only_what_that_knows() {
 
 /// The text with a value of its call changed.
 fn revised(cycle: &CycleInfo, text: &str, name: &str, value: &str) -> (String, Changed) {
-    let (text, name, value) = (text.to_owned(), name.to_owned(), value.to_owned());
-    let asked = ChangeRequest {
-        control: cycle.control,
-        text: text.clone().into(),
-        call: 0,
-        name,
-        value,
-        along: None,
-        setup: None,
-        with: None,
-    };
-    let done = change(asked).unwrap();
+    let text = text.to_owned();
+    let done = change(ChangeRequest::new(cycle.control, text.clone(), 0, name, value)).unwrap();
     (done.steps.iter().fold(text, |text, edits| edited(&text, edits)), done)
 }
 

@@ -424,18 +424,7 @@ fn search_words_belong_to_blocks() {
 
 /// A text with a value of its first call changed, and what that tells.
 fn changed(case: &Case, text: &str, name: &str, value: &str) -> (String, Vec<String>) {
-    let (name, value) = (name.to_owned(), value.to_owned());
-    let asked = ChangeRequest {
-        control: case.cycle.dialect,
-        text: text.into(),
-        call: 0,
-        name,
-        value,
-        along: None,
-        setup: None,
-        with: None,
-    };
-    let done = change(asked).unwrap();
+    let done = change(ChangeRequest::new(case.cycle.dialect, text, 0, name, value)).unwrap();
     let apply = |text: String, step: &Vec<Edit>| {
         let view = AroundView { edits: step.clone(), ..asked_none(case) };
         edited(&text, &view)

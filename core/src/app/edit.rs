@@ -19,7 +19,6 @@ use crate::program::touched::TouchedLine;
 use crate::syntax;
 use crate::syntax::position::Positions;
 use serde::{Deserialize, Serialize};
-use std::cell::RefCell;
 
 /// A new value of a call.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
@@ -41,6 +40,22 @@ pub struct ChangeRequest {
     pub setup: Option<Machine>,
     /// Files beside it, of which definition files count; absent: none.
     pub with: Option<Vec<Beside>>,
+}
+
+impl ChangeRequest {
+    /// That value alone, on the core's own machine and without files beside the program.
+    pub fn new(control: Dialect, text: impl Into<ProgramText>, call: usize, name: &str, value: &str) -> Self {
+        Self {
+            control,
+            text: text.into(),
+            call,
+            name: name.to_owned(),
+            value: value.to_owned(),
+            along: None,
+            setup: None,
+            with: None,
+        }
+    }
 }
 
 /// What a new value does to a program.
@@ -193,10 +208,8 @@ pub struct CuredAll {
 /// use probewright_core::app::{ChangeRequest, change};
 /// use probewright_core::dialect::Dialect;
 ///
-/// let text = "_MVAR=1 _SETVAL=132 ; bore\nCYCLE977\nM30\n".into();
-/// let (name, value) = ("_SETVAL".to_owned(), "40".to_owned());
-/// let control = Dialect::Sinumerik;
-/// let done = change(ChangeRequest { control, text, call: 0, name, value, along: None, setup: None, with: None })?;
+/// let text = "_MVAR=1 _SETVAL=132 ; bore\nCYCLE977\nM30\n".to_owned();
+/// let done = change(ChangeRequest::new(Dialect::Sinumerik, text, 0, "_SETVAL", "40"))?;
 /// let edit = &done.steps[0][0];
 /// assert_eq!((edit.from, edit.to, edit.insert.as_str()), (16, 19, "40")); // nothing else changes
 /// # Ok::<(), probewright_core::app::Error>(())
@@ -209,17 +222,15 @@ pub fn change(asked: ChangeRequest) -> Result<Changed, Error> {
     let control = start(asked.control, asked.setup)?.setup.control;
     let mut program = syntax::read_held(asked.control, whole.text(), &control.definitions.macros, &mut |_| {});
     let along = asked.along.unwrap_or_default();
-    let misfits = RefCell::default();
-    let unfit = |cycle: &'static Cycle, [before, after]: [&Typed; 2], control: &Control| {
-        let mut found = form::unfit(cycle, before, after, control);
-        found.retain(|one| !along.iter().any(|name| one.name == name.as_str()));
-        let names = found.iter().map(|one| one.name).collect();
-        misfits.replace(found);
-        names
+    let mut misfits = Vec::new();
+    let mut unfit = |cycle: &'static Cycle, [before, after]: [&Typed; 2], control: &Control| {
+        misfits = form::unfit(cycle, before, after, control);
+        misfits.retain(|one| !along.iter().any(|name| one.name == name.as_str()));
+        misfits.iter().map(|one| one.name).collect()
     };
-    let done = revise(&program, asked.call, (&asked.name, &asked.value), &control, &unfit);
+    let done = revise(&program, asked.call, (&asked.name, &asked.value), &control, &mut unfit);
     let done = done.ok_or_else(|| unknown("document-call", &asked.call.to_string()))?;
-    let unfit = misfits.into_inner().into_iter().filter(|one| done.taken.contains(&one.name)).collect();
+    let unfit = misfits.into_iter().filter(|one| done.taken.contains(&one.name)).collect();
     let replaced = done.replaced.as_ref().map(|found| Replaced::placed(found, &Positions::new(&program.source)));
     let mut steps = Vec::new();
     for step in &done.steps {

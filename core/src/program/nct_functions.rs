@@ -42,18 +42,18 @@ use Effect::{Closes, Describes, Drills, DrillsNoMore, Moves, Opens, Tunes};
 /// The functions, by tenths of their numbers: threads, reference points, offsets, mirrors, scales, rotations, polar and
 /// cylindrical coordinates, settings of the control, drilling cycles.
 const ROWS: &[(u16, Effect)] = &[
-    (51, Tunes),           // several blocks ahead
-    (71, Opens(Data)),     // cylindrical interpolation
-    (80, Tunes),           // contour control
-    (100, Opens(Data)),    // data input: offsets, registers
-    (110, Tunes),          // its end
-    (121, Opens(Data)),    // polar interpolation
-    (131, Closes(121)),    //
-    (150, Closes(160)),    //
+    (51, Tunes),        // several blocks ahead
+    (71, Opens(Data)),  // cylindrical interpolation
+    (80, Tunes),        // contour control
+    (100, Opens(Data)), // data input: offsets, registers
+    (110, Tunes),       // its end
+    (121, Opens(Data)), // polar interpolation
+    (131, Closes(121)),
+    (150, Closes(160)),
     (160, Opens(Targets)), // polar coordinates
     (220, Describes),      // stroke check
-    (230, Tunes),          //
-    (270, Moves),          // reference point: check, to it, back, to another one
+    (230, Tunes),
+    (270, Moves), // reference point: check, to it, back, to another one
     (280, Moves),
     (290, Moves),
     (300, Moves),
@@ -61,32 +61,32 @@ const ROWS: &[(u16, Effect)] = &[
     (370, Opens(Targets)), // tool length measurement
     (380, Moves),          // radius compensation: the vector stays
     (390, Describes),      // radius compensation: an arc at a corner
-    (430, Closes(440)),    //
+    (430, Closes(440)),
     (440, Opens(Targets)), // length, subtracted
     (450, Moves),          // lengthened or shortened by a radius
     (460, Moves),
     (470, Moves),
     (480, Moves),
-    (490, Closes(440)),     //
-    (500, Closes(510)),     //
-    (501, Closes(511)),     //
+    (490, Closes(440)),
+    (500, Closes(510)),
+    (501, Closes(511)),
     (510, Opens(Data)),     // scale
     (511, Opens(EachAxis)), // mirror
     (520, Opens(EachAxis)), // local coordinate system
-    (540, Closes(541)),     //
-    (541, Opens(Targets)),  // additional work offsets
-    (550, Closes(541)),     //
-    (560, Closes(541)),     //
-    (570, Closes(541)),     //
-    (580, Closes(541)),     //
-    (590, Closes(541)),     //
-    (620, Tunes),           // override
+    (540, Closes(541)),
+    (541, Opens(Targets)), // additional work offsets
+    (550, Closes(541)),
+    (560, Closes(541)),
+    (570, Closes(541)),
+    (580, Closes(541)),
+    (590, Closes(541)),
+    (620, Tunes), // override
     (630, Tunes),
     (660, Tunes),       // modal macro call
     (661, Opens(Data)), // the same of each block, whose words are its arguments
-    (670, Closes(661)), //
+    (670, Closes(661)),
     (680, Opens(Data)), // rotation
-    (690, Closes(680)), //
+    (690, Closes(680)),
     (730, Drills),
     (740, Drills),
     (760, Drills),

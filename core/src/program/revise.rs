@@ -19,7 +19,7 @@ use std::collections::BTreeSet;
 
 /// The values of a call, typed as the second ones, that do not fit the variant that these choose; the first ones chose
 /// another. The control is that of the call.
-pub type Unfit<'a> = &'a dyn Fn(&'static Cycle, [&Typed; 2], &Control) -> Vec<Name>;
+pub type Unfit<'a> = &'a mut dyn FnMut(&'static Cycle, [&Typed; 2], &Control) -> Vec<Name>;
 
 /// What a new value of a call does to the program.
 #[derive(Debug, Default)]

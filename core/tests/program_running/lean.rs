@@ -21,7 +21,7 @@ fn told(program: &Program) -> Vec<String> {
     let sites = calls(program);
     let values = sites.iter().enumerate().filter_map(|(index, site)| {
         let name = site.values.keys().next()?;
-        Some(format!("{:?}", revise(program, index, (name, "7"), &control, &|_, _, _| Vec::new())))
+        Some(format!("{:?}", revise(program, index, (name, "7"), &control, &mut |_, _, _| Vec::new())))
     });
     let read = format!("{:?}", app::calls(program));
     [read].into_iter().chain(styles).chain(values.take(3)).collect()

@@ -11,10 +11,10 @@ use probewright_core::entry::{Cycle, Kind, Style, Typed};
 use probewright_core::program::calls::CallSite;
 use probewright_core::program::change::{apply, change};
 use probewright_core::program::findings;
-use probewright_core::program::revise::{Unfit, revise};
+use probewright_core::program::revise::{Revision, revise};
 use probewright_core::program::write::{Values, snippet_of};
 use probewright_core::support;
-use probewright_core::syntax::read;
+use probewright_core::syntax::{Program, read};
 use proptest::prelude::*;
 use proptest::test_runner::TestCaseResult;
 use std::collections::BTreeSet;
@@ -246,13 +246,15 @@ proptest! {
     }
 }
 
-/// Every value fits.
-const NONE: Unfit = &|_, _, _| Vec::new();
+/// What [`revise`] does where every value fits.
+fn fitting(program: &Program, index: usize, change: (&str, &str)) -> Option<Revision> {
+    revise(program, index, change, &control(), &mut |_, _, _| Vec::new())
+}
 
 /// The program with a value of its first call changed as a form does it, and what was taken out and what stays.
 fn revised(text: &str, name: &str, value: &str) -> (String, Vec<&'static str>, Vec<String>) {
     let program = read(Dialect::Sinumerik, text.as_bytes());
-    let done = revise(&program, 0, (name, value), &control(), NONE).unwrap();
+    let done = fitting(&program, 0, (name, value)).unwrap();
     let after = done.steps.iter().fold(text.as_bytes().to_vec(), |text, edits| apply(&text, edits));
     let said = done.findings.iter().map(|one| one.message.key.to_string());
     (String::from_utf8(after).unwrap(), done.taken.iter().map(|name| name.as_str()).collect(), said.collect())
@@ -269,14 +271,14 @@ fn what_another_variant_does_not_know_leaves_the_call() {
     assert_eq!(said, ["revise-taken"]);
     // So does an expression: what went is told with its text.
     let program = read(Dialect::Sinumerik, text.replace("_TZL=0.01", "_TZL=R7").as_bytes());
-    let done = revise(&program, 0, ("_MVAR", "101"), &control(), NONE).unwrap();
+    let done = fitting(&program, 0, ("_MVAR", "101")).unwrap();
     assert!(done.reaches && done.taken.iter().any(|name| name.as_str() == "_TZL"), "{:?}", done.taken);
     let told = format!("{:?}", done.findings);
     assert!(told.contains("_TZL=R7"), "{told}");
     // What an earlier call reads too stays.
     let shared = format!("{text}_MVAR=1\nCYCLE977\n");
     let program = read(Dialect::Sinumerik, shared.as_bytes());
-    let done = revise(&program, 1, ("_MVAR", "101"), &control(), NONE).unwrap();
+    let done = fitting(&program, 1, ("_MVAR", "101")).unwrap();
     assert_eq!(done.taken, Vec::<&str>::new());
     // No other field does so, and no number on the way to the wanted one that is no variant.
     for (name, value) in [("_KNUM", "0"), ("_MVAR", "10")] {
@@ -291,7 +293,7 @@ fn a_value_that_later_calls_read_is_theirs_too() {
         _SETVAL=40\nCYCLE977\nM30\n";
     let done = |index, name, value| {
         let program = read(Dialect::Sinumerik, text.as_bytes());
-        let done = revise(&program, index, (name, value), &control(), NONE).unwrap();
+        let done = fitting(&program, index, (name, value)).unwrap();
         let values = done.values.into_iter().map(|one| (one.line, one.param, one.before, one.after));
         (done.reaches, values.collect::<Vec<_>>())
     };
@@ -332,11 +334,11 @@ fn a_change_says_which_lines_of_others_it_touches() {
     let text = "%_N_MAIN_MPF\nMEASURE(40) ; ring\nM30\n%_N_MEASURE_SPF\nPROC MEASURE(REAL _D)\n\
         _MVAR=1 _SETVAL=_D _PRNUM=1 _FA=2\nCYCLE977\nM17\n";
     let program = read(Dialect::Sinumerik, text.as_bytes());
-    let lines = revise(&program, 0, ("_SETVAL", "41"), &control(), NONE).unwrap().elsewhere;
+    let lines = fitting(&program, 0, ("_SETVAL", "41")).unwrap().elsewhere;
     let lines: Vec<_> = lines.iter().map(|one| (one.line, &*one.before, &*one.after)).collect();
     assert_eq!(lines, [(2, "MEASURE(40) ; ring", "MEASURE(41) ; ring")]);
-    let own = revise(&program, 0, ("_FA", "4"), &control(), NONE).unwrap();
+    let own = fitting(&program, 0, ("_FA", "4")).unwrap();
     assert!(own.elsewhere.is_empty() && !own.steps.is_empty());
-    let new = revise(&program, 0, ("_VMS", "100"), &control(), NONE).unwrap();
+    let new = fitting(&program, 0, ("_VMS", "100")).unwrap();
     assert!(new.elsewhere.is_empty() && !new.steps.is_empty());
 }

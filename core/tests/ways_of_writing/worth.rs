@@ -131,20 +131,8 @@ fn a_variable_is_changed_in_one_line_and_the_expression_stays() {
 #[test]
 fn a_change_tells_which_expression_it_takes_away() {
     let text = "R2=50\n_MVAR=1 _SETVAL=R2 _PRNUM=1 _FA=2\nCYCLE977\nX=R2\n";
-    let ask = |value: &str| {
-        let (text, name, value) = (text.to_owned(), "_SETVAL".to_owned(), value.to_owned());
-        change(ChangeRequest {
-            control: Dialect::Sinumerik,
-            text: text.into(),
-            call: 0,
-            name,
-            value,
-            along: None,
-            setup: None,
-            with: None,
-        })
-        .unwrap()
-    };
+    let ask =
+        |value: &str| change(ChangeRequest::new(Dialect::Sinumerik, text.to_owned(), 0, "_SETVAL", value)).unwrap();
     let replaced = ask("51").replaced.unwrap();
     assert_eq!((replaced.text.as_str(), replaced.worth.as_deref()), ("R2", Some("50")));
     let variable = &replaced.variables[0];

@@ -138,9 +138,8 @@ function told(before: State, after: State, { at }: ChangeRequest, done: { one: P
   const answers = done.map(({ answer }) => answer);
   const findings = answers.flatMap(one => one.findings);
   if (!done.some(({ one }) => one.agreed === true) && !findings.length) return after;
-  const typed = new Set(done.map(({ one }) => one.name)); // what was typed with the variant is meant for it
-  const taken = answers.flatMap(one => one.taken).filter(name => !typed.has(name));
-  const unfit = answers.flatMap(one => one.unfit).filter(({ name }) => !typed.has(name));
+  const taken = answers.flatMap(one => one.taken);
+  const unfit = answers.flatMap(one => one.unfit);
   const inForm = before.form.open === at;
   const { values, resets } = after.form;
   const kept = Object.entries(values).filter(([name]) => !inForm || !taken.includes(name));

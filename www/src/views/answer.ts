@@ -94,13 +94,11 @@ function why(state: State, derived: Derived): string {
   return derived.view.outcome ? t("bar-unmeasured") : missing(derived);
 }
 
-function unanswered(state: State, derived: Derived, give: Actions["give"]): TemplateResult {
-  const raised = endedBy(state, derived);
-  if (!raised) return html`<span class="answer-none">${why(state, derived)}</span>`;
-  return html`<span class="answer-none" data-stopped
+/** What ended it instead of an answer, with what the machine lacks. */
+const ended = (raised: Raised, give: Actions["give"]): TemplateResult =>
+  html`<span class="answer-none" data-stopped
     >${iconPart(VERDICT_ICONS.stopped)}<span>${raisedText(raised)}</span>${offersOf(raised, give)}</span
   >`;
-}
 
 /** In a sentence: for those who hear it. */
 function spoken(answer: Answer, file: string): string {
@@ -180,9 +178,13 @@ export function createAnswer(give: Actions["give"]): AnswerLine {
       const certain = program ? (measured ? null : certainOf(answer, derived)) : derived.certain;
       const line = (found: Answer): TemplateResult =>
         html`${guard([found, file, certain], () => body(found, file, certain))}`;
+      if (answer) {
+        render(line(answer), bar);
+        return speak(spoken(answer, file));
+      }
       const raised = endedBy(state, derived);
-      render(answer ? line(answer) : unanswered(state, derived, give), bar);
-      speak(answer ? spoken(answer, file) : raised ? raisedText(raised) : "");
+      render(raised ? ended(raised, give) : html`<span class="answer-none">${why(state, derived)}</span>`, bar);
+      speak(raised ? raisedText(raised) : "");
     },
   };
 }

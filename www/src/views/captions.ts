@@ -38,7 +38,6 @@ const WIDE = 11; // of one as wide as it is high
 const ABOVE = 9; // of the base line
 const BELOW = 3;
 const BESIDE = 9; // between two captions in a row: more than a space, or a number reads on into the next one
-const COLLISION = 40; // weight of a pixel of height shared with another caption
 const GRID = 6; // between places all over the drawing
 const NEAR = 22; // a caption so near to its figure needs no leader line
 const MOST = 0.5; // of the width of the drawing, for one caption
@@ -81,16 +80,16 @@ function farness(move: Point): number {
   return far + (far * far) / 30;
 }
 
-function shared(a: Box, b: Box): number {
+/** Whether two captions lie upon each other, or nearly in one line. */
+function collide(a: Box, b: Box): boolean {
   const across = Math.min(a.right, b.right) - Math.max(a.left, b.left) + BESIDE;
   const down = Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top);
-  return across > 0 && down > 0 ? down : 0;
+  return across > 0 && down > 0;
 }
 
 /** How bad a place is; no further than `enough`. */
-function cost(box: Box, taken: readonly Box[], obstacles: readonly Obstacle[], moved: number, enough: number): number {
+function cost(box: Box, obstacles: readonly Obstacle[], moved: number, enough: number): number {
   let sum = moved;
-  for (const other of taken) sum += COLLISION * shared(box, other);
   for (const obstacle of obstacles) {
     if (sum >= enough) return sum;
     sum += obstacle.weight * inside(obstacle, box);
@@ -123,8 +122,8 @@ function best(caption: Caption, places: Iterable<[Point, number]>, around: Aroun
     const enough = found?.cost ?? Infinity;
     if (moved >= enough) break; // the others are further still
     const box = room(caption, at);
-    if (!within(box, size) || taken.some(other => shared(box, other) > 0)) continue;
-    const here = cost(box, taken, obstacles, moved, enough);
+    if (!within(box, size) || taken.some(other => collide(box, other))) continue;
+    const here = cost(box, obstacles, moved, enough);
     if (here < enough) found = { at, cost: here };
   }
   return found?.at ?? null;

@@ -77,13 +77,14 @@ export function createMachineActions(
       const known = findCycle(catalogue, control, state.machine.before[control] ?? "");
       const cycle = known ?? catalogue.cycles.find(one => one.control === control);
       if (!cycle) return;
-      const call = state.program.reading?.view.calls.findIndex(one => one === openCall(state)) ?? -1;
+      const open = openCall(state);
+      const call = open ? state.program.reading?.view.calls.indexOf(open) : undefined;
       form.chooseCycle(cycle);
       const there = state.desk.left[control];
       store.update({
         machine: { before: { ...state.machine.before, [state.form.control]: state.form.cycle } },
         desk: {
-          left: { ...state.desk.left, [state.form.control]: call < 0 ? undefined : call },
+          left: { ...state.desk.left, [state.form.control]: call },
           sought: there === undefined ? null : { call: there },
         },
       });
